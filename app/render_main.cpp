@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// edgewright-render DOCUMENT PICTURE.png WxH [TEMPLATES]: draws the viewport of a document, read
+// with the templates of a folder or the usual ones. Needs a display; edgewright-replay starts it
+// for
+// --screenshot.
+#include <QApplication>
+#include <cstdio>
+
+#include "core/document/document.h"
+#include "core/document/replay_arguments.h"
+#include "core/document/resources.h"
+#include "ui/app_setup.h"
+#include "ui/viewport/offscreen.h"
+
+namespace {
+
+int complain(const std::string& message) {
+    std::fprintf(stderr, "%s\n", message.c_str());
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    ew::prepareApplication();
+    const QApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments().mid(1);
+    if (arguments.size() != 3 && arguments.size() != 4) {
+        return complain("Usage: edgewright-render DOCUMENT PICTURE.png WxH [TEMPLATES]");
+    }
+    const auto size = ew::parseSize(arguments[2]);
+    if (!size) return complain(size.error().message);
+    // Pending ink is shown as it is read, for which the templates are needed.
+    const auto load =
+        arguments.size() == 4 ? ew::loadTemplates(arguments[3], QString()) : ew::loadTemplates();
+    if (!load) return complain(load.error().message);
+    ew::Document document(load->library);
+    if (auto ok = document.open(arguments[0]); !ok) return complain(ok.error().message);
+    if (auto ok = ew::renderScreenshot(document, arguments[1], *size); !ok) {
+        return complain(ok.error().message);
+    }
+    return 0;
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Every epsilon of the core, with its reason. Lengths in px are on the Sketch Plane at the default
+/// distance threshold of 14 px; fractions of the distance threshold scale with it.
+namespace ew::tol {
+
+/// Two samples nearer than this are one [px]: below any tablet's resolution.
+inline constexpr double kSamePointPx = 1e-9;
+
+/// Largest extent of a dot, as a fraction of the distance threshold: anything that small cannot be
+/// an edge, because its two ends would be one junction.
+inline constexpr double kDotExtent = 0.5;
+
+/// Reach of a pen-up or pen-down hook [px]; hooks come from the pen lifting while the hand moves.
+inline constexpr double kHookReachPx = 9.0;
+/// A hook leaves the line at more than this angle [degrees].
+inline constexpr double kHookAngleDeg = 40.0;
+
+/// Wobble that corner finding assumes before it knows the hand, and the range that a drawing can move
+/// it to [px rms].
+inline constexpr double kWobbleUnknownPx = 2.2;
+inline constexpr double kWobbleLeastPx = 0.5;
+/// A turn under this may be wobble [degrees].
+inline constexpr double kWobbleTurnDeg = 32.0;
+/// Distance over which a hand's wobble is correlated [px]; sets how much evidence a bend gives.
+inline constexpr double kWobbleCorrelationPx = 14.0;
+/// Evidence that one more corner must bring (log-likelihood ratio).
+inline constexpr double kCornerPenalty = 5.0;
+/// Consecutive pieces of one stroke that turn less than this are one line [degrees].
+inline constexpr double kMinCornerDeg = 9.0;
+/// A corner concentrates at least this share of its turn near its apex; less is a curve.
+inline constexpr double kCornerSharpness = 0.55;
+
+// Solid and template geometry. Relative values are fractions of the size, which is the diagonal of
+// the bounding box.
+
+/// Largest magnitude of a solid's or template's coordinate [mm]: a kilometre; beyond it doubles are
+/// coarser than the drawing accuracy of a part.
+inline constexpr double kMaxCoordinateMm = 1e6;
+/// Smallest size of a solid or template [mm]: below it no pixel can show it and squares of lengths
+/// come near the end of the doubles.
+inline constexpr double kMinSizeMm = 1e-6;
+/// A face is planar where no vertex is farther from its plane than this, relative: the accuracy
+/// that exact drawings are held to. Also the largest move of a vertex that is made planar.
+inline constexpr double kPlanarRelative = 1e-6;
+/// Two planes of a solid to be made exact are one where all points of both lie within this,
+/// relative: solvers leave residuals near 1e-12, a wanted step is above kPlanarRelative.
+inline constexpr double kSamePlaneRelative = 1e-9;
+/// Two face normals closer than this are made parallel (sine of the angle): turning a face by it
+/// moves its points by at most 1e-9 of the size.
+inline constexpr double kParallelSine = 1e-9;
+/// Steps to which plane coefficients are rounded: 2^-40 of the size moves a point by 1e-12 of it
+/// and keeps exact intersections at a few hundred bits.
+inline constexpr double kPlaneGrid = 0x1p-40;
+/// Longest exact coordinate that making faces planar may produce [bits]: three planes give about
+/// 300, chains of dependent planes more; beyond this, exact predicates cost more than facets do.
+inline constexpr unsigned kMaxRealizedBits = 4096;
+/// A template's relations hold for its reference shape within this: cosine, sine, or length
+/// difference relative to the size. Files give irrational lengths with 7 digits or more.
+inline constexpr double kTemplateRelation = 1e-6;
+/// Sine of the smallest angle between neighbouring faces of a template; flatter ones would not show
+/// as an edge in any drawing.
+inline constexpr double kTemplateMinFold = 1e-3;
+
+// Consolidation of overtraced lines (fractions are of the distance threshold).
+
+/// A retraced line lies this near to the line it retraces, on average and at worst: two drawn
+/// edges of one face are farther apart than that or could not be told apart by the threshold.
+inline constexpr double kOvertraceMean = 0.5;
+inline constexpr double kOvertraceMax = 0.85;
+/// Directions of a line and its retrace differ by this at most, plus what the hand's end error does
+/// to a short line [degrees].
+inline constexpr double kOvertraceDeg = 6.0;
+/// Share of the shorter line that must lie beside the longer one.
+inline constexpr double kOvertraceOverlap = 0.45;
+
+// Joining stroke ends.
+
+/// Short lines join within this share of their own length only, or both their ends would join.
+inline constexpr double kJoinLengthShare = 0.42;
+/// Spread of a stroke end across and along its line [fractions of the distance threshold]: people
+/// hit the line well and its end badly.
+inline constexpr double kEndSpreadAcross = 0.13;
+inline constexpr double kEndSpreadAlong = 0.45;
+/// An end that runs past its junction counts this much of the way: overshoot is meant as contact.
+inline constexpr double kOvershootDiscount = 0.5;
+/// Two strokes are one broken line where they point at each other (cosine) with this offset at most
+/// [fraction of the distance threshold].
+inline constexpr double kBreakCosine = 0.78;
+inline constexpr double kBreakBeside = 0.9;
+/// Overshoot that is trimmed without a word: fractions of the distance threshold and of the line.
+inline constexpr double kOvershootReach = 2.4;
+inline constexpr double kOvershootShare = 0.34;
+/// A junction of several ends lies on another line within this fraction of the threshold.
+inline constexpr double kThroughReach = 0.4;
+/// A junction of two lines that turns less than this [degrees] and bends less than kSurelyStraightBend
+/// of the distance threshold is no corner.
+inline constexpr double kStraightDeg = 10.0;
+inline constexpr double kSurelyStraightBend = 0.15;
+/// Up to this turn [degrees] and bend it may be none: an edge drawn in two strokes.
+inline constexpr double kBrokenTurnDeg = 42.0;
+inline constexpr double kBrokenBend = 1.0;
+/// Without a template to decide, a bend under this is taken for straight.
+inline constexpr double kNearlyStraightDeg = 25.0;
+inline constexpr double kStraightBend = 0.4;
+/// An open end looks for what it was meant to meet this far [fractions of the distance threshold].
+inline constexpr double kOpenEndReach = 6.0;
+
+/// A camera vector whose largest component is shorter than this (or longer than its inverse) is no
+/// direction: its square would leave the range in which normalising keeps all digits.
+inline constexpr double kShortestDirection = 1e-9;
+/// A direction this near to length 1 is used as it is, so that what was written reads back to the bit.
+inline constexpr double kUnitLength = 1e-12;
+/// A pose's rotation may miss orthonormality by this much: products of a few rounded rotations do.
+inline constexpr double kRotation = 1e-9;
+/// Two edges of a solid whose unit directions differ by less than this are parallel (or, by the dot
+/// product, perpendicular): a solid's planes are exact, its rounded corners are good to about 1e-9.
+inline constexpr double kSolidDirection = 1e-7;
+
+// Pictures of wireframes.
+
+/// Crossings of projected edges nearer than this to an end, or pieces shorter (fractions of the
+/// edge), are not told apart: far below a pixel for any edge that fits a screen.
+inline constexpr double kWireCrossing = 1e-9;
+/// A face hides an edge only where it is this much nearer [px of depth]: an edge lies on the faces
+/// that merely touch it.
+inline constexpr double kWireDepthPx = 1e-3;
+/// A face seen flatter than this (sine of the angle) has no side towards the eye.
+inline constexpr double kEdgeOnSine = 1e-6;
+
+// Aspects.
+
+/// A view is accidental where a face is seen within this sine of edge-on, or a vertex lies within this
+/// share of an edge's length over that edge: nobody can tell such a drawing from its neighbours.
+inline constexpr double kAccidentalView = 0.02;
+
+// Reconstruction.
+
+/// Weight of one radian of a face angle's difference to the reference shape against one spread of a drawn
+/// line end: closes open freedoms, moves determined ones by less than 1e-8.
+inline constexpr double kRegularityWeight = 0.02;
+
+/// Coordinates of a reconstructed body nearer than this share of its size are the same coordinate: the
+/// solver ends at about 1e-12.
+inline constexpr double kEqualCoordinate = 1e-9;
+/// ... of which this share is left for an exact drawing: enough to close what is open.
+inline constexpr double kLeastDoubt = 0.01;
+/// Nobody draws better than this [px]: a display's rounding.
+inline constexpr double kNoiseFloorPx = 0.05;
+/// Directions in which the picture changes by less than this share of the most visible one (squared) are
+/// not determined by the drawing.
+inline constexpr double kUnseenDirection = 1e-7;
+/// Singular values of a template's relations below this share of the largest belong to redundant relations.
+inline constexpr double kRelationRank = 1e-3;
+/// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a degree
+/// of drawing error at 95, 18% at 92 (algorithms.md).
+inline constexpr double kUnreliableCornerDeg = 6.0;
+/// A corner without real roots is turned this far past 90 degrees to have some [degrees].
+inline constexpr double kSnapMarginDeg = 4.0;
+/// ... if no axis has to turn more than this [degrees].
+inline constexpr double kSnapLimitDeg = 25.0;
+
+// Choosing between candidates. Costs are in units of twice a log-likelihood.
+
+/// Price of one more degree of freedom (twice the Bayesian information criterion at
+/// about 36 observations: people draw boxes far more often than nearly-boxes).
+inline constexpr double kFreedomCost = 8.0;
+/// Price of an edge that was not drawn, of one too many, and of a plane that nothing was drawn on.
+inline constexpr double kMissingEdgeCost = 14.0;
+inline constexpr double kExtraEdgeCost = 12.0;
+inline constexpr double kUnseenPlaneCost = 8.0;
+/// Price of a second look at the strokes with other tolerances.
+inline constexpr double kSecondLookCost = 2.0;
+/// Hands miss corners by more than their lines wobble: line ends are off by about this many times the wobble.
+inline constexpr double kMissPerWobble = 1.7;
+/// A candidate whose line ends miss it by this many variances on average leaves doubt about the graph.
+inline constexpr double kDoubtfulMisfit = 3.0;
+/// A candidate is clear where the next different one costs this much more.
+inline constexpr double kClearMargin = 4.0;
+/// ... and its lines are within this fraction of the distance threshold of the solid, rms.
+inline constexpr double kClearResidual = 0.55;
+/// Direction error that hands have besides what their ends' noise explains: degrees per px of noise,
+/// at most this share of the angle threshold.
+inline constexpr double kDirectionPerPx = 2.0;
+inline constexpr double kDirectionShare = 0.25;
+
+}  // namespace ew::tol

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/camera.h"
+#include "core/document/sketch_script.h"
+#include "core/modeling/interpretation.h"
+#include "core/solid/solid.h"
+#include "core/stroke/stroke.h"
+#include "core/tlib/library.h"
+
+class QUndoStack;
+
+namespace ew {
+
+/// The document's truth, as an immutable snapshot. Undo and redo swap snapshots.
+struct DocumentState {
+    std::vector<Body> bodies;
+    TemplateLibrary library;                  ///< the T-LIB in use: shipped templates and additions
+    std::vector<std::string> addedTemplates;  ///< ids that this document added
+};
+
+/// A stroke that no command has consumed yet.
+struct PendingStroke {
+    int id = -1;                ///< unique in the document's life
+    Stroke stroke;              ///< Sketch Plane px of `camera`
+    OrthographicCamera camera;  ///< what it was drawn through
+};
+
+/// What changed; one signal carries it.
+enum class DocumentChange {
+    Ink,      ///< pending strokes
+    Reading,  ///< the interpretation of the pending strokes (after Ink, Thresholds or Library)
+    Bodies,   ///< the solids
+    Camera,
+    Thresholds,
+    Library,
+    History,  ///< undo stack index, count or names
+    File,     ///< path or modified flag
+};
+
+struct ApplyRequest {
+    std::optional<int> candidate;  ///< not set: the accepted one, else an error says why
+    std::string templateId;        ///< empty: any
+    Operation operation = Operation::Auto;
+    std::optional<double> obliqueFactor;  ///< not set: Document::obliqueFactor()
+};
+
+struct ApplyOutcome {
+    Interpretation interpretation;
+    int chosen = -1;  ///< index into interpretation.candidates
+};
+
+/// How strokes are read; interpret() unless a test puts another one in.
+using Interpreter = std::function<Interpretation(const std::vector<Stroke>&, const TemplateLibrary&,
+                                                 const InterpretOptions&)>;
+
+/// A document and everything a person can do to it. The window and replay call the same functions;
+/// each successful one is recorded as a sketch script step. A function that fails changes nothing.
+/// Single-threaded (the thread that made it).
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    /// \param shippedLibrary  the templates of resources/templates.
+    explicit Document(TemplateLibrary shippedLibrary, QObject* parent = nullptr);
+    Document(TemplateLibrary shippedLibrary, Interpreter interpreter, QObject* parent = nullptr);
+    ~Document() override;
+
+    const DocumentState& state() const;
+
+    // Ink ---------------------------------------------------------------------------------------
+    /// Adds a pending stroke and returns its id. Errors of validateStroke, Errc::TooManyStrokes.
+    Result<int> addStroke(Stroke stroke);
+    /// Removes the pending stroke nearest to a point, within the distance threshold; returns its
+    /// id. Errc::NoStroke.
+    Result<int> eraseAt(const Vec2& px);
+    /// Removes these pending strokes (unknown ids are ignored).
+    void removeStrokes(const std::vector<int>& ids);
+    void clearStrokes();
+    const std::vector<PendingStroke>& pendingStrokes() const;
+    /// Takes back the newest ink change (stroke added, erased, cleared) since the last command.
+    bool undoInk();
+    bool canUndoInk() const;
+
+    // View and thresholds -------------------------------------------------------------------------
+    const OrthographicCamera& camera() const;
+    Result<void> setCamera(const OrthographicCamera& camera);
+    const Thresholds& thresholds() const;
+    Result<void> setThresholds(const Thresholds& thresholds);
+    double obliqueFactor() const;
+    void setObliqueFactor(double k);
+
+    // Reading
+    // ---------------------------------------------------------------------------------------
+    /// The pending strokes as read now (cached until something that it depends on changes).
+    const Interpretation& interpretation() const;
+    /// What apply(request) would choose from.
+    const Interpretation& interpretationFor(const ApplyRequest& request) const;
+    /// The same with one more stroke that is still under way; nothing is stored.
+    Interpretation interpretWith(const Stroke& underWay) const;
+    /// The same for a stroke that is drawn through another camera (on the Sketch Plane of earlier ink).
+    Interpretation interpretWith(const Stroke& underWay, const OrthographicCamera& camera) const;
+
+    // Commands
+    // ----------------------------------------------------------------------------------------
+    /// Makes or changes the solid from the pending strokes; they are consumed only if it succeeds.
+    Result<ApplyOutcome> apply(const ApplyRequest& request = {});
+    /// What the newest apply read, for the other readings: while it is still the newest command,
+    /// nothing was drawn since and the thresholds stand; read again where the oblique factor moved.
+    /// nullptr otherwise.
+    const ApplyOutcome* lastApply() const;
+    /// Replaces the newest apply by another of its candidates: undo, then apply.
+    Result<ApplyOutcome> chooseReading(int candidate);
+    /// Carries out a one-click repair on the pending strokes or thresholds.
+    Result<void> repair(const Repair& repair);
+    Result<void> defineTemplate(Template tmpl);
+    /// Adds the solid of the document as a template; relations are read off its geometry.
+    Result<void> defineTemplateFromSolid(const std::string& id, const std::string& name);
+    /// Removes every body (one undo step). Errc::NoSolid.
+    Result<void> deleteBodies();
+    Result<void> undo(int count = 1);
+    Result<void> redo(int count = 1);
+    QUndoStack& undoStack() const;
+
+    // Files
+    // -----------------------------------------------------------------------------------------------
+    /// Native document (.edgewright): state, history with every snapshot, ink, camera, thresholds.
+    Result<void> save(const QString& path);
+    /// Replaces everything, history included; on error nothing changes.
+    Result<void> open(const QString& path);
+    void reset();
+    QString filePath() const;
+    bool isModified() const;
+    /// Writes the solid: .obj (planar polygons), .stl (binary), .ply by extension. Errc::NoSolid,
+    /// Errc::UnknownExtension, Errc::CannotWrite.
+    Result<void> exportTo(const QString& path) const;
+
+    /// All that was done since the document was new, as a script that replays to this state.
+    SketchScript recordedScript() const;
+
+  signals:
+    void changed(ew::DocumentChange what);
+
+  public:
+    struct Private;  ///< document_private.h; inside the document room only
+
+  private:
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace ew

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/document.h"
+#include "core/document/document_private.h"
+#include "core/document/template_from_solid.h"
+
+namespace ew {
+
+// The command
+// ---------------------------------------------------------------------------------------
+
+StateCommand::StateCommand(Document::Private& document, const QString& name,
+                           std::shared_ptr<const DocumentState> stateBefore,
+                           std::shared_ptr<const DocumentState> stateAfter)
+    : QUndoCommand(name),
+      before(std::move(stateBefore)),
+      after(std::move(stateAfter)),
+      document_(document) {}
+
+void StateCommand::undo() {
+    document_.state = before;
+    document_.ink.restore(consumed);
+}
+
+void StateCommand::redo() {
+    document_.state = after;
+    document_.ink.consume(consumed);
+}
+
+// Private: the stack
+// --------------------------------------------------------------------------------
+
+void Document::Private::push(const QString& name, std::shared_ptr<const DocumentState> after,
+                             std::vector<PendingStroke> consumed,
+                             std::shared_ptr<ApplyMemory> memory) {
+    const std::shared_ptr<const DocumentState> before = state;
+    auto* command = new StateCommand(*this, name, before, std::move(after));  // the stack owns it
+    const bool tookInk = !consumed.empty();
+    command->consumed = std::move(consumed);
+    command->memory = std::move(memory);
+    movingStack = true;
+    stack.push(command);
+    movingStack = false;
+    stackIndex = stack.index();
+    reading.reset();
+    touch();
+    if (tookInk) emitChange(DocumentChange::Ink);
+    stateChanged(*before);
+}
+
+void Document::Private::stateChanged(const DocumentState& before) {
+    if (before.addedTemplates != state->addedTemplates) emitChange(DocumentChange::Library);
+    const bool sameBodies =
+        before.bodies.size() == state->bodies.size() &&
+        std::equal(before.bodies.begin(), before.bodies.end(), state->bodies.begin(),
+                   [](const Body& a, const Body& b) { return &a.solid.impl() == &b.solid.impl(); });
+    if (!sameBodies) emitChange(DocumentChange::Bodies);
+    emitChange(DocumentChange::Reading);
+    emitChange(DocumentChange::History);
+}
+
+void Document::Private::onStackMoved(int index) {
+    if (movingStack || index == stackIndex) return;
+    const int moved = index - stackIndex;
+    // The commands have run; what they exchanged is found at the two ends of the way.
+    const auto* nearest =
+        static_cast<const StateCommand*>(stack.command(moved < 0 ? stackIndex - 1 : stackIndex));
+    const std::shared_ptr<const DocumentState> before =
+        moved < 0 ? nearest->after : nearest->before;
+    stackIndex = index;
+    if (moved < 0)
+        record(UndoStep{-moved});
+    else
+        record(RedoStep{moved});
+    reading.reset();
+    touch();
+    emitChange(DocumentChange::Ink);
+    stateChanged(*before);
+}
+
+// Applying
+// ------------------------------------------------------------------------------------------
+
+namespace {
+
+/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism".
+QString inSentence(const std::string& name) {
+    QString text = QString::fromStdString(name);
+    const bool word = text.size() > 1 && text[1].isLower();
+    return word ? text.left(1).toLower() + text.mid(1) : text;
+}
+
+Result<int> choose(const Interpretation& reading, const std::optional<int>& wanted) {
+    const Error noReading{Errc::NoMatch, "No template matches this drawing.", {}};
+    if (reading.candidates.empty()) return fail(reading.problem.value_or(noReading));
+    if (!wanted) {
+        if (reading.accepted) return *reading.accepted;
+        return fail(reading.problem.value_or(noReading));
+    }
+    const int count = static_cast<int>(reading.candidates.size());
+    if (*wanted < 0 || *wanted >= count) {
+        return fail(Errc::UnknownCandidate, "There is no reading number " +
+                                                std::to_string(*wanted) + "; this drawing has " +
+                                                std::to_string(count) + ", counted from 0.");
+    }
+    return *wanted;
+}
+
+Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
+                                                           const Candidate& candidate) {
+    if (candidate.operation != Operation::Create && candidate.operation != Operation::Auto) {
+        return fail(Errc::OperationImpossible,
+                    "This version cannot add to a solid or cut it; it creates solids.");
+    }
+    auto solid = Solid::fromSpec(candidate.spec);
+    if (!solid) return fail(solid.error());
+    if (!candidate.pose.rotation.allFinite() || !candidate.pose.translation.allFinite()) {
+        return fail(Errc::NoSolution, "The solid has no place in the world.");
+    }
+    auto after = std::make_shared<DocumentState>(before);
+    after->bodies.push_back({*std::move(solid), candidate.pose});
+    return std::shared_ptr<const DocumentState>(std::move(after));
+}
+
+ApplyStep applyStep(const ApplyRequest& request) {
+    ApplyStep step{request.candidate, request.templateId, request.operation, std::nullopt};
+    if (request.obliqueFactor != kDefaultObliqueFactor) step.obliqueFactor = request.obliqueFactor;
+    return step;
+}
+
+Result<void> checkRequest(const ApplyRequest& request, const DocumentState& state) {
+    if (!request.templateId.empty() && state.library.find(request.templateId) < 0) {
+        return fail(Errc::UnknownTemplate,
+                    "There is no template with the id \"" + request.templateId + "\".");
+    }
+    const double k = *request.obliqueFactor;
+    if (!(k >= kMinObliqueFactor && k <= kMaxObliqueFactor)) {
+        return fail(Errc::BadValue, "The oblique factor must be from 0.1 to 2.");
+    }
+    const bool modifies =
+        request.operation == Operation::Add || request.operation == Operation::Cut;
+    const bool isCut = request.operation == Operation::Cut;
+    if (modifies && state.bodies.empty()) {
+        return fail(Errc::OperationImpossible,
+                    isCut ? "There is no solid to cut." : "There is no solid to add to.");
+    }
+    if (modifies) {
+        return fail(Errc::OperationImpossible,
+                    "This version cannot add to a solid or cut it; it creates solids.");
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
+    ApplyRequest request = wanted;
+    request.obliqueFactor = wanted.obliqueFactor.value_or(d_->obliqueFactor);
+    if (d_->ink.strokes().empty()) return fail(Errc::EmptySketch, "Nothing is drawn yet.");
+    if (auto ok = checkRequest(request, *d_->state); !ok) return fail(ok.error());
+
+    const Interpretation& reading = interpretationFor(request);
+    const auto chosen = choose(reading, request.candidate);
+    if (!chosen) return fail(chosen.error());
+    const Candidate& candidate = reading.candidates[static_cast<std::size_t>(*chosen)];
+    auto after = withCandidate(*d_->state, candidate);
+    if (!after) return fail(after.error());
+
+    auto memory = std::make_shared<ApplyMemory>();
+    memory->request = request;
+    memory->outcome = {reading, *chosen};
+    memory->thresholds = d_->view.thresholds;
+    memory->appliedFactor = memory->readFactor = *request.obliqueFactor;
+    ApplyOutcome outcome = memory->outcome;
+    const QString name = tr("Create %1").arg(inSentence(candidate.templateName));
+
+    d_->record(applyStep(request));
+    d_->obliqueFactor = *request.obliqueFactor;
+    d_->push(name, *std::move(after), d_->ink.strokes(), std::move(memory));
+    return outcome;
+}
+
+const ApplyOutcome* Document::lastApply() const {
+    if (d_->stackIndex == 0 || !d_->ink.strokes().empty()) return nullptr;
+    const auto* command = static_cast<const StateCommand*>(d_->stack.command(d_->stackIndex - 1));
+    ApplyMemory* memory = command->memory.get();
+    if (memory == nullptr || memory->thresholds != d_->view.thresholds) return nullptr;
+    if (memory->readFactor != d_->obliqueFactor) {
+        ApplyRequest request = memory->request;
+        request.obliqueFactor = d_->obliqueFactor;
+        memory->outcome.interpretation = d_->read(command->consumed, request);
+        memory->readFactor = d_->obliqueFactor;
+        const auto count = memory->outcome.interpretation.candidates.size();
+        if (memory->outcome.chosen >= static_cast<int>(count)) memory->outcome.chosen = -1;
+    }
+    return &memory->outcome;
+}
+
+Result<ApplyOutcome> Document::chooseReading(int candidate) {
+    const ApplyOutcome* last = lastApply();
+    if (last == nullptr) {
+        return fail(Errc::UnknownCandidate,
+                    "There is no newest solid whose readings could change.");
+    }
+    const auto chosen = choose(last->interpretation, candidate);
+    if (!chosen) return fail(chosen.error());
+    const auto* command = static_cast<const StateCommand*>(d_->stack.command(d_->stackIndex - 1));
+    if (*chosen == last->chosen && command->memory->appliedFactor == d_->obliqueFactor)
+        return *last;
+    const Candidate& reading = last->interpretation.candidates[static_cast<std::size_t>(*chosen)];
+    auto after = withCandidate(*command->before, reading);
+    if (!after) return fail(after.error());
+
+    auto memory = std::make_shared<ApplyMemory>(*command->memory);
+    memory->request.candidate = *chosen;
+    memory->request.obliqueFactor = d_->obliqueFactor;
+    memory->outcome.chosen = *chosen;
+    memory->appliedFactor = d_->obliqueFactor;
+    ApplyOutcome outcome = memory->outcome;
+    const QString name = tr("Create %1").arg(inSentence(reading.templateName));
+
+    d_->movingStack = true;
+    d_->stack.undo();
+    d_->movingStack = false;
+    d_->record(UndoStep{});
+    d_->record(applyStep(memory->request));
+    d_->push(name, *std::move(after), d_->ink.strokes(), std::move(memory));
+    // push() compared with the state before the solid; the one on screen changed in any case.
+    return outcome;
+}
+
+// Repairs
+// -------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The stroke with the end nearest to `from` drawn on to `to`.
+Stroke extended(Stroke stroke, const Vec2& from, const Vec2& to) {
+    const PenSample& first = stroke.samples.front();
+    const PenSample& last = stroke.samples.back();
+    const bool atStart = (first.position - from).norm() < (last.position - from).norm();
+    PenSample more = atStart ? first : last;
+    more.position = to;
+    if (atStart)
+        stroke.samples.insert(stroke.samples.begin(), more);
+    else
+        stroke.samples.push_back(more);
+    return stroke;
+}
+
+}  // namespace
+
+Result<void> Document::repair(const Repair& repair) {
+    const auto& strokes = d_->ink.strokes();
+    std::vector<int> ids;
+    const int count = static_cast<int>(strokes.size());
+    for (const int i : repair.strokes) {
+        if (i < 0 || i >= count) return fail(Errc::BadValue, "The stroke to repair is gone.");
+        ids.push_back(strokes[static_cast<std::size_t>(i)].id);
+    }
+    Thresholds t = thresholds();
+    switch (repair.kind) {
+        case Repair::Kind::DropStrokes:
+            removeStrokes(ids);
+            return {};
+        case Repair::Kind::RaiseDistance:
+            t.distancePx = repair.value;
+            return setThresholds(t);
+        case Repair::Kind::RaiseAngle:
+            t.angleDeg = repair.value;
+            return setThresholds(t);
+        case Repair::Kind::UseCandidate: {
+            auto applied =
+                apply({.candidate = repair.candidate, .templateId = {}, .obliqueFactor = {}});
+            if (!applied) return fail(applied.error());
+            return {};
+        }
+        case Repair::Kind::JoinEnds:
+            break;
+    }
+    if (ids.size() != 1) return fail(Errc::BadValue, "One stroke at a time can be joined.");
+    const PendingStroke& old = strokes[static_cast<std::size_t>(repair.strokes.front())];
+    Stroke joined = extended(old.stroke, repair.from, repair.to);
+    if (auto ok = validateStroke(joined); !ok) return ok;
+    std::vector<std::pair<Stroke, OrthographicCamera>> add;
+    add.emplace_back(std::move(joined), old.camera);
+    d_->editInk(ids, std::move(add));
+    return {};
+}
+
+// Templates, deleting, undo
+// -------------------------------------------------------------------------
+
+namespace {
+
+Result<std::shared_ptr<const DocumentState>> withTemplate(const DocumentState& before,
+                                                          const Template& tmpl) {
+    auto library = before.library.with(tmpl);
+    if (!library) return fail(library.error());
+    auto after = std::make_shared<DocumentState>(before);
+    after->library = *std::move(library);
+    after->addedTemplates.push_back(tmpl.id);
+    return std::shared_ptr<const DocumentState>(std::move(after));
+}
+
+QString defineName(const std::string& name) {
+    return Document::tr("Define template \u201c%1\u201d").arg(QString::fromStdString(name));
+}
+
+}  // namespace
+
+Result<void> Document::defineTemplate(Template tmpl) {
+    auto after = withTemplate(*d_->state, tmpl);
+    if (!after) return fail(after.error());
+    const QString name = defineName(tmpl.name);
+    DefineTemplateStep step{tmpl.id, tmpl.name, std::nullopt};
+    step.tmpl = std::move(tmpl);
+    d_->record(std::move(step));
+    d_->push(name, *std::move(after), {});
+    return {};
+}
+
+Result<void> Document::defineTemplateFromSolid(const std::string& id, const std::string& name) {
+    auto tmpl = templateFromBodies(d_->state->bodies, id, name);
+    if (!tmpl) return fail(tmpl.error());
+    auto after = withTemplate(*d_->state, *tmpl);
+    if (!after) return fail(after.error());
+    d_->record(DefineTemplateStep{id, name, std::nullopt});
+    d_->push(defineName(name), *std::move(after), {});
+    return {};
+}
+
+Result<void> Document::deleteBodies() {
+    if (d_->state->bodies.empty()) return fail(Errc::NoSolid, "There is no solid to delete.");
+    auto after = std::make_shared<DocumentState>(*d_->state);
+    after->bodies.clear();
+    d_->record(DeleteSolidStep{});
+    d_->push(tr("Delete solid"), std::move(after), {});
+    return {};
+}
+
+Result<void> Document::undo(int count) {
+    if (count < 1) return fail(Errc::BadValue, "Undo needs a count of at least 1.");
+    if (count > d_->stackIndex) {
+        return fail(Errc::NothingToUndo,
+                    d_->stackIndex == 0
+                        ? "There is nothing to undo."
+                        : "There are only " + std::to_string(d_->stackIndex) + " steps to undo.");
+    }
+    d_->stack.setIndex(d_->stackIndex - count);
+    return {};
+}
+
+Result<void> Document::redo(int count) {
+    if (count < 1) return fail(Errc::BadValue, "Redo needs a count of at least 1.");
+    const int left = d_->stack.count() - d_->stackIndex;
+    if (count > left) {
+        return fail(Errc::NothingToRedo,
+                    left == 0 ? "There is nothing to redo."
+                              : "There are only " + std::to_string(left) + " steps to redo.");
+    }
+    d_->stack.setIndex(d_->stackIndex + count);
+    return {};
+}
+
+QUndoStack& Document::undoStack() const { return d_->stack; }
+
+}  // namespace ew

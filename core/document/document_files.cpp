@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/document.h"
+#include "core/document/document_private.h"
+#include "core/document/export_mesh.h"
+#include "core/document/store.h"
+
+namespace ew {
+
+void Document::Private::adopt(DocumentFile file) {
+    movingStack = true;
+    stack.clear();
+    // Pushing runs each command, which leads through the states from first to last.
+    state = file.states.front();
+    for (std::size_t i = 0; i < file.commands.size(); ++i) {
+        auto* command = new StateCommand(*this, QString::fromStdString(file.commands[i].name),
+                                         file.states[i], file.states[i + 1]);
+        command->consumed = std::move(file.commands[i].consumed);
+        stack.push(command);
+    }
+    stack.setIndex(file.index);
+    movingStack = false;
+    stackIndex = file.index;
+    stack.setClean();
+
+    state = file.states[static_cast<std::size_t>(file.index)];
+    ink.reset(std::move(file.pending), file.nextStrokeId);
+    view = {file.camera, file.thresholds};
+    obliqueFactor = file.obliqueFactor;
+    recorder = Recorder::fromScript(file.script);
+    reading.reset();
+    savedRevision = ++revision;
+    for (const DocumentChange what :
+         {DocumentChange::Library, DocumentChange::Thresholds, DocumentChange::Camera,
+          DocumentChange::Bodies, DocumentChange::Ink, DocumentChange::Reading,
+          DocumentChange::History, DocumentChange::File}) {
+        emitChange(what);
+    }
+}
+
+Result<void> Document::save(const QString& path) {
+    DocumentFile file;
+    const QUndoStack& stack = d_->stack;
+    for (int i = 0; i < stack.count(); ++i) {
+        const auto* command = static_cast<const StateCommand*>(stack.command(i));
+        file.states.push_back(command->before);
+        file.commands.push_back({command->text().toStdString(), command->consumed});
+        if (i + 1 == stack.count()) file.states.push_back(command->after);
+    }
+    if (file.states.empty()) file.states.push_back(d_->state);
+    file.index = d_->stackIndex;
+    file.pending = d_->ink.strokes();
+    file.nextStrokeId = d_->ink.nextId();
+    file.camera = d_->view.camera;
+    file.thresholds = d_->view.thresholds;
+    file.obliqueFactor = d_->obliqueFactor;
+    file.script = recordedScript();
+    if (auto ok = saveDocument(file, path); !ok) return ok;
+    d_->path = path;
+    d_->savedRevision = d_->revision;
+    d_->stack.setClean();
+    d_->emitChange(DocumentChange::File);
+    return {};
+}
+
+Result<void> Document::open(const QString& path) {
+    auto file = loadDocument(path, d_->shipped);
+    if (!file) return fail(file.error());
+    d_->path = path;
+    d_->adopt(*std::move(file));
+    return {};
+}
+
+void Document::reset() {
+    DocumentFile empty;
+    DocumentState first;
+    first.library = d_->shipped;
+    empty.states.push_back(std::make_shared<const DocumentState>(std::move(first)));
+    empty.camera.width = d_->view.camera.width;
+    empty.camera.height = d_->view.camera.height;
+    d_->path.clear();
+    d_->adopt(std::move(empty));
+}
+
+QString Document::filePath() const { return d_->path; }
+bool Document::isModified() const { return d_->revision != d_->savedRevision; }
+
+Result<void> Document::exportTo(const QString& path) const {
+    return exportBodies(d_->state->bodies, path.toStdString());
+}
+
+SketchScript Document::recordedScript() const { return d_->recorder.script(d_->view); }
+
+}  // namespace ew

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/document/document.h"
+#include "core/document/ink.h"
+#include "core/document/recorder.h"
+#include "core/document/store.h"
+
+namespace ew {
+
+inline constexpr double kDefaultObliqueFactor = 0.5;
+
+/// A stroke as a script step.
+StrokeStep strokeStep(const Stroke& stroke);
+
+/// What an apply was made from, so that another of its readings can take its place.
+struct ApplyMemory {
+    ApplyRequest request;
+    ApplyOutcome outcome;
+    Thresholds thresholds;
+    double appliedFactor = kDefaultObliqueFactor;  ///< k of the solid that was made
+    double readFactor = kDefaultObliqueFactor;     ///< k of outcome.interpretation
+};
+
+struct Document::Private {
+    Private(Document& document, TemplateLibrary shippedLibrary, Interpreter reader);
+
+    Document& q;
+    Interpreter interpreter;
+    TemplateLibrary shipped;
+    std::shared_ptr<const DocumentState> state;
+    InkBoard ink;
+    ViewSettings view;
+    double obliqueFactor = kDefaultObliqueFactor;
+    QUndoStack stack;
+    Recorder recorder;
+    QString path;
+
+    // Modified: `revision` counts what a file would keep.
+    long revision = 0;
+    long savedRevision = 0;
+
+    // The newest reading of the pending strokes, for one request.
+    mutable std::optional<Interpretation> reading;
+    mutable ApplyRequest readingRequest;
+
+    // While Document itself moves the stack, its signal is not taken for the history panel's.
+    bool movingStack = false;
+    int stackIndex = 0;
+
+    void emitChange(DocumentChange what) { emit q.changed(what); }
+    void touch();
+    /// After the pending strokes changed.
+    void inkChanged();
+    void record(ScriptStep step, int inkSerial = Recorder::kNoInk);
+    /// Removes and adds strokes as one ink change, recorded as steps that do the same.
+    bool editInk(const std::vector<int>& removeIds,
+                 std::vector<std::pair<Stroke, OrthographicCamera>> add);
+
+    Interpretation read(const std::vector<PendingStroke>& strokes,
+                        const ApplyRequest& request) const;
+    /// Pushes a command that leads to `after` and takes `consumed` away.
+    void push(const QString& name, std::shared_ptr<const DocumentState> after,
+              std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);
+    void onStackMoved(int index);
+    void stateChanged(const DocumentState& before);
+    void adopt(DocumentFile file);
+};
+
+/// One step of the history: exchanges two snapshots of the document and the ink it consumed.
+class StateCommand : public QUndoCommand {
+  public:
+    StateCommand(Document::Private& document, const QString& name,
+                 std::shared_ptr<const DocumentState> before,
+                 std::shared_ptr<const DocumentState> after);
+
+    void undo() override;
+    void redo() override;
+
+    std::shared_ptr<const DocumentState> before, after;
+    std::vector<PendingStroke> consumed;
+    std::shared_ptr<ApplyMemory> memory;  ///< of an apply, where it is known
+
+  private:
+    Document::Private& document_;
+};
+
+}  // namespace ew

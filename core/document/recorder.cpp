@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tolerance.h"
+
+namespace ew {
+
+namespace {
+
+bool usesThresholds(const ScriptStep& step) {
+    // A stroke is stored raw and clearing takes all, whatever the thresholds are.
+    return !std::holds_alternative<StrokeStep>(step) && !std::holds_alternative<ClearStep>(step);
+}
+
+ThresholdsStep thresholdsStep(const Thresholds& from, const Thresholds& to) {
+    ThresholdsStep step;
+    if (from.distancePx != to.distancePx) step.distancePx = to.distancePx;
+    if (from.angleDeg != to.angleDeg) step.angleDeg = to.angleDeg;
+    return step;
+}
+
+}  // namespace
+
+void Recorder::record(ScriptStep step, const ViewSettings& view, int inkSerial) {
+    entries_.push_back({std::move(step), view, inkSerial});
+}
+
+void Recorder::dropInk(int inkSerial) {
+    std::erase_if(entries_, [&](const Entry& e) { return e.inkSerial == inkSerial; });
+}
+
+SketchScript Recorder::script(const ViewSettings& now) const {
+    SketchScript out;
+    out.title = title_;
+    // The file's head says the first viewport and the first thresholds that matter.
+    const OrthographicCamera& first = entries_.empty() ? now.camera : entries_.front().view.camera;
+    out.viewport = {first.width, first.height};
+    const auto needs = std::find_if(entries_.begin(), entries_.end(),
+                                    [](const Entry& e) { return usesThresholds(e.step); });
+    out.thresholds = needs == entries_.end() ? now.thresholds : needs->view.thresholds;
+
+    ViewSettings told;
+    told.camera.width = first.width;
+    told.camera.height = first.height;
+    told.thresholds = out.thresholds;
+    const auto tellCamera = [&](const OrthographicCamera& camera) {
+        if (camera == told.camera) return;
+        out.steps.emplace_back(cameraStep(told.camera, camera));
+        told.camera = camera;
+    };
+    const auto tellThresholds = [&](const Thresholds& thresholds) {
+        if (thresholds == told.thresholds) return;
+        out.steps.emplace_back(thresholdsStep(told.thresholds, thresholds));
+        told.thresholds = thresholds;
+    };
+    for (const Entry& e : entries_) {
+        tellCamera(e.view.camera);
+        if (usesThresholds(e.step)) tellThresholds(e.view.thresholds);
+        out.steps.push_back(e.step);
+    }
+    tellCamera(now.camera);
+    tellThresholds(now.thresholds);
+    return out;
+}
+
+Recorder Recorder::fromScript(const SketchScript& script) {
+    Recorder recorder;
+    recorder.title_ = script.title;
+    ViewSettings view;
+    view.camera.width = script.viewport[0];
+    view.camera.height = script.viewport[1];
+    view.thresholds = script.thresholds;
+    for (const ScriptStep& step : script.steps) {
+        if (const auto* camera = std::get_if<CameraStep>(&step)) {
+            view.camera = withStep(view.camera, *camera);
+        } else if (const auto* thresholds = std::get_if<ThresholdsStep>(&step)) {
+            view.thresholds = withStep(view.thresholds, *thresholds);
+        } else {
+            recorder.record(step, view);
+        }
+    }
+    return recorder;
+}
+
+OrthographicCamera withStep(OrthographicCamera camera, const CameraStep& step) {
+    if (step.direction) {
+        const double length = step.direction->norm();
+        camera.direction = *step.direction;
+        if (std::abs(length - 1.0) > tol::kUnitLength) camera.direction /= length;
+    }
+    if (step.up) camera.up = *step.up;
+    if (step.center) camera.center = *step.center;
+    if (step.worldPerPixel) camera.worldPerPixel = *step.worldPerPixel;
+    if (step.viewport) {
+        camera.width = step.viewport->x();
+        camera.height = step.viewport->y();
+    }
+    return camera;
+}
+
+CameraStep cameraStep(const OrthographicCamera& from, const OrthographicCamera& to) {
+    CameraStep step;
+    if (from.direction != to.direction) step.direction = to.direction;
+    if (from.up != to.up) step.up = to.up;
+    if (from.center != to.center) step.center = to.center;
+    if (from.worldPerPixel != to.worldPerPixel) step.worldPerPixel = to.worldPerPixel;
+    if (from.width != to.width || from.height != to.height) {
+        step.viewport = Vec2(to.width, to.height);
+    }
+    return step;
+}
+
+Thresholds withStep(Thresholds thresholds, const ThresholdsStep& step) {
+    thresholds.distancePx = step.distancePx.value_or(thresholds.distancePx);
+    thresholds.angleDeg = step.angleDeg.value_or(thresholds.angleDeg);
+    return thresholds;
+}
+
+}  // namespace ew

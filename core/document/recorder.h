@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/camera.h"
+#include "core/document/sketch_script.h"
+
+namespace ew {
+
+/// What the camera and the thresholds were when something was done.
+struct ViewSettings {
+    OrthographicCamera camera;
+    Thresholds thresholds;
+};
+
+/// Writes down what was done, as a sketch script. Cameras and thresholds are noted with every step
+/// and turned into steps of their own only where they matter: a camera where the next stroke or
+/// command comes, thresholds where the next command or erasing comes.
+class Recorder {
+  public:
+    static constexpr int kNoInk = -1;
+
+    /// \param inkSerial  the InkBoard change that the step belongs to, kNoInk for a command.
+    void record(ScriptStep step, const ViewSettings& view, int inkSerial = kNoInk);
+    /// Takes back all steps of an ink change.
+    void dropInk(int inkSerial);
+    /// Everything so far, ending with the view as it is now.
+    SketchScript script(const ViewSettings& now) const;
+
+    /// The recorder that had written this script.
+    static Recorder fromScript(const SketchScript& script);
+
+  private:
+    struct Entry {
+        ScriptStep step;
+        ViewSettings view;
+        int inkSerial = kNoInk;
+    };
+
+    std::vector<Entry> entries_;
+    std::string title_;
+};
+
+/// The camera after a camera step (direction normalised unless it is a unit vector already), before
+/// any check.
+OrthographicCamera withStep(OrthographicCamera camera, const CameraStep& step);
+/// The step that leads from one camera to another; only what differs is set.
+CameraStep cameraStep(const OrthographicCamera& from, const OrthographicCamera& to);
+Thresholds withStep(Thresholds thresholds, const ThresholdsStep& step);
+
+}  // namespace ew

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/replay.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileInfo>
+
+#include "core/document/recorder.h"
+
+namespace ew {
+
+namespace {
+
+constexpr double kNsPerMs = 1e6;
+constexpr double kScriptObliqueFactor = 0.5;  // where an apply step does not say another
+
+/// Runs one step; what an apply read goes to the report.
+class StepRunner {
+  public:
+    StepRunner(Document& document, const ReplayOptions& options, StepReport& report)
+        : document_(document), options_(options), report_(report) {}
+
+    Result<void> operator()(const CameraStep& s) {
+        return document_.setCamera(withStep(document_.camera(), s));
+    }
+    Result<void> operator()(const ThresholdsStep& s) {
+        return document_.setThresholds(withStep(document_.thresholds(), s));
+    }
+    Result<void> operator()(const StrokeStep& s) {
+        return dropValue(document_.addStroke(s.stroke));
+    }
+    Result<void> operator()(const EraseStep& s) { return dropValue(document_.eraseAt(s.at)); }
+    Result<void> operator()(const ClearStep&) {
+        document_.clearStrokes();
+        return {};
+    }
+    Result<void> operator()(const ApplyStep& s) {
+        ApplyRequest request{s.candidate, s.templateId, s.operation,
+                             s.obliqueFactor.value_or(kScriptObliqueFactor)};
+        auto outcome = document_.apply(request);
+        if (outcome) {
+            report_.interpretation = std::move(outcome->interpretation);
+            report_.chosen = outcome->chosen;
+            return {};
+        }
+        const bool readable =
+            request.templateId.empty() || document_.state().library.find(request.templateId) >= 0;
+        if (readable) report_.interpretation = document_.interpretationFor(request);
+        return fail(outcome.error());
+    }
+    Result<void> operator()(const FilletStep&) { return notYet("round edges (fillet)"); }
+    Result<void> operator()(const SubdivideStep&) { return notYet("make a smooth surface"); }
+    Result<void> operator()(const MapStrokesStep&) { return notYet("draw strokes on the surface"); }
+    Result<void> operator()(const DefineTemplateStep& s) {
+        if (s.tmpl) return document_.defineTemplate(*s.tmpl);
+        return document_.defineTemplateFromSolid(s.id, s.name);
+    }
+    Result<void> operator()(const DeleteSolidStep&) { return document_.deleteBodies(); }
+    Result<void> operator()(const UndoStep& s) { return document_.undo(s.count); }
+    Result<void> operator()(const RedoStep& s) { return document_.redo(s.count); }
+    Result<void> operator()(const SaveStep& s) {
+        const auto path = pathInside(options_.scriptFolder, QString::fromStdString(s.path));
+        if (!path) return fail(path.error());
+        return document_.save(*path);
+    }
+    Result<void> operator()(const OpenStep& s) {
+        const auto path = pathInside(options_.scriptFolder, QString::fromStdString(s.path));
+        if (!path) return fail(path.error());
+        return document_.open(*path);
+    }
+    Result<void> operator()(const ExportStep& s) {
+        const auto path = pathInside(options_.outFolder, QString::fromStdString(s.path));
+        if (!path) return fail(path.error());
+        if (!QDir().mkpath(QFileInfo(*path).path())) {
+            return fail(Errc::CannotWrite,
+                        "The folder of " + path->toStdString() + " cannot be made.");
+        }
+        return document_.exportTo(*path);
+    }
+
+  private:
+    template <class T>
+    static Result<void> dropValue(const Result<T>& result) {
+        if (!result) return fail(result.error());
+        return {};
+    }
+    static Result<void> notYet(const std::string& what) {
+        return fail(Errc::NotAvailable, "This version cannot " + what + ".");
+    }
+
+    Document& document_;
+    const ReplayOptions& options_;
+    StepReport& report_;
+};
+
+}  // namespace
+
+const StepReport* ReplayReport::firstFailure() const {
+    for (const StepReport& step : steps) {
+        if (!step.ok) return &step;
+    }
+    return nullptr;
+}
+
+Result<QString> pathInside(const QString& folder, const QString& path) {
+    const QString clean = QDir::cleanPath(path);
+    if (QDir::isAbsolutePath(path) || clean == ".." || clean.startsWith("../") || clean == "." ||
+        clean.contains(QChar(0))) {
+        return fail(Errc::BadValue, "The path \"" + path.toStdString() +
+                                        "\" must name a file inside the folder it is relative to.");
+    }
+    return QDir(folder.isEmpty() ? QStringLiteral(".") : folder).absoluteFilePath(clean);
+}
+
+Result<void> beginReplay(Document& document, const SketchScript& script) {
+    document.reset();
+    OrthographicCamera camera;
+    camera.width = script.viewport[0];
+    camera.height = script.viewport[1];
+    if (auto ok = document.setCamera(camera); !ok) return ok;
+    return document.setThresholds(script.thresholds);
+}
+
+StepReport runStep(Document& document, const ScriptStep& step, int index,
+                   const ReplayOptions& options) {
+    StepReport report;
+    report.index = index;
+    report.name = stepName(step);
+    QElapsedTimer clock;
+    clock.start();
+    const Result<void> result = std::visit(StepRunner(document, options, report), step);
+    report.ms = static_cast<double>(clock.nsecsElapsed()) / kNsPerMs;
+    report.ok = result.has_value();
+    if (!result) report.error = result.error();
+    return report;
+}
+
+ReplayReport replay(Document& document, const SketchScript& script, const ReplayOptions& options,
+                    const std::function<bool(const StepReport&)>& onStep) {
+    ReplayReport report;
+    QElapsedTimer clock;
+    clock.start();
+    if (auto ok = beginReplay(document, script); !ok) {
+        report.steps.push_back({0, "begin", false, 0.0, ok.error(), std::nullopt, -1});
+        return report;
+    }
+    int index = 0;
+    for (const ScriptStep& step : script.steps) {
+        report.steps.push_back(runStep(document, step, index++, options));
+        const StepReport& done = report.steps.back();
+        if (onStep && !onStep(done)) break;
+        if (!done.ok && !options.keepGoing) break;
+    }
+    report.msTotal = static_cast<double>(clock.nsecsElapsed()) / kNsPerMs;
+    return report;
+}
+
+}  // namespace ew

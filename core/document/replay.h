@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace ew {
+
+struct ReplayOptions {
+    QString scriptFolder;    ///< `save` and `open` are relative to it
+    QString outFolder;       ///< `export` is relative to it; made when the first file is written
+    bool keepGoing = false;  ///< go on after a step that failed
+};
+
+/// What one step did.
+struct StepReport {
+    int index = 0;     ///< in the script, from 0
+    std::string name;  ///< the "do" word
+    bool ok = true;
+    double ms = 0.0;
+    std::optional<Error> error;                    ///< set where ok is not
+    std::optional<Interpretation> interpretation;  ///< of an apply: what was read
+    int chosen = -1;                               ///< of an apply that succeeded: which candidate
+};
+
+struct ReplayReport {
+    std::vector<StepReport> steps;  ///< those that ran
+    double msTotal = 0.0;
+
+    /// The first step that failed, or nullptr.
+    const StepReport* firstFailure() const;
+};
+
+/// Empties the document and sets what the head of the script says (viewport, thresholds).
+Result<void> beginReplay(Document& document, const SketchScript& script);
+
+/// Runs one step. A step that fails leaves the document as it was.
+/// Paths that are absolute or lead out of their folder are Errc::BadValue.
+StepReport runStep(Document& document, const ScriptStep& step, int index,
+                   const ReplayOptions& options);
+
+/// beginReplay, then every step in order, up to the first that fails (or all: keepGoing).
+/// \param onStep  told of every step that ran; replay stops where it returns false. May be empty.
+ReplayReport replay(Document& document, const SketchScript& script, const ReplayOptions& options,
+                    const std::function<bool(const StepReport&)>& onStep = {});
+
+/// A relative path inside a folder, as an absolute one. Errc::BadValue where it leads out of it.
+Result<QString> pathInside(const QString& folder, const QString& path);
+
+}  // namespace ew

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/replay_arguments.h"
+
+#include <QRegularExpression>
+
+namespace ew {
+
+namespace {
+
+constexpr int kLeastPicturePx = 16;
+constexpr int kMostPicturePx = 16'384;
+
+/// Walks through the arguments; an option's values are the arguments up to the next option.
+class ArgumentReader {
+  public:
+    explicit ArgumentReader(const QStringList& arguments) : arguments_(arguments) {}
+    Result<ReplayArguments> read();
+
+  private:
+    bool atOption() const { return arguments_[next_].startsWith('-') && arguments_[next_] != "-"; }
+    bool atEnd() const { return next_ >= arguments_.size(); }
+
+    Result<QString> value(const QString& option) {
+        if (atEnd() || atOption()) {
+            return fail(Errc::MissingKey, option.toStdString() + " needs a value.");
+        }
+        return arguments_[next_++];
+    }
+
+    Result<void> option(const QString& name);
+    Result<void> text(const QString& name, QString& into);
+    Result<void> exports();
+    Result<void> script(const QString& path);
+
+    const QStringList& arguments_;
+    qsizetype next_ = 0;
+    ReplayArguments out_;
+};
+
+Result<void> ArgumentReader::text(const QString& name, QString& into) {
+    auto v = value(name);
+    if (!v) return fail(v.error());
+    if (v->isEmpty()) return fail(Errc::BadValue, name.toStdString() + " needs a value.");
+    into = *v;
+    return {};
+}
+
+Result<void> ArgumentReader::exports() {
+    QString first;
+    if (auto ok = text("--export", first); !ok) return ok;
+    out_.exports << first;
+    // A script may stand behind the files; no export format is called .json.
+    while (!atEnd() && !atOption() && !arguments_[next_].endsWith(".json")) {
+        out_.exports << arguments_[next_++];
+    }
+    return {};
+}
+
+Result<void> ArgumentReader::option(const QString& name) {
+    if (name == "--help" || name == "-h")
+        out_.help = true;
+    else if (name == "--version")
+        out_.version = true;
+    else if (name == "--keep-going")
+        out_.keepGoing = true;
+    else if (name == "--out")
+        return text(name, out_.outFolder);
+    else if (name == "--report")
+        return text(name, out_.report);
+    else if (name == "--screenshot")
+        return text(name, out_.screenshot);
+    else if (name == "--export")
+        return exports();
+    else if (name == "--templates")
+        return text(name, out_.templates.emplace());
+    else if (name == "--size") {
+        QString size;
+        if (auto ok = text(name, size); !ok) return ok;
+        auto parsed = parseSize(size);
+        if (!parsed) return fail(parsed.error());
+        out_.size = *parsed;
+    } else {
+        return fail(Errc::UnknownKey, "There is no option " + name.toStdString() + ".");
+    }
+    return {};
+}
+
+Result<void> ArgumentReader::script(const QString& path) {
+    if (!out_.script.isEmpty()) {
+        return fail(Errc::BadValue, "One script at a time: " + out_.script.toStdString() + " and " +
+                                        path.toStdString() + " were given.");
+    }
+    out_.script = path;
+    return {};
+}
+
+Result<ReplayArguments> ArgumentReader::read() {
+    while (!atEnd()) {
+        const bool isOption = atOption();
+        QString argument = arguments_[next_++];
+        const auto equals = argument.indexOf('=');
+        if (isOption && argument.startsWith("--") && equals > 0) {
+            return fail(Errc::UnknownKey, "Write " + argument.left(equals).toStdString() +
+                                              " and its value as two arguments.");
+        }
+        if (auto ok = isOption ? option(argument) : script(argument); !ok) return fail(ok.error());
+    }
+    if (out_.help || out_.version) return out_;
+    if (out_.script.isEmpty()) return fail(Errc::MissingKey, "No script was given.");
+    if (out_.size && out_.screenshot.isEmpty()) {
+        return fail(Errc::BadValue, "--size goes with --screenshot.");
+    }
+    return out_;
+}
+
+}  // namespace
+
+Result<QSize> parseSize(const QString& text) {
+    static const QRegularExpression pattern("^([0-9]{1,5})x([0-9]{1,5})$");
+    const auto match = pattern.match(text);
+    const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+    const auto fits = [](int n) { return n >= kLeastPicturePx && n <= kMostPicturePx; };
+    if (!match.hasMatch() || !fits(size.width()) || !fits(size.height())) {
+        return fail(Errc::BadValue, "A size is WxH in pixels, each from 16 to 16384; \"" +
+                                        text.toStdString() + "\" is not.");
+    }
+    return size;
+}
+
+Result<ReplayArguments> parseReplayArguments(const QStringList& arguments) {
+    return ArgumentReader(arguments).read();
+}
+
+QString replayHelp() {
+    return QStringLiteral(
+        "Usage: edgewright-replay SCRIPT [option...]\n"
+        "Replays a sketch script without a window.\n"
+        "\n"
+        "  --out DIR              folder for everything that is written; made if it is not there\n"
+        "                         (default: the current folder). Relative names below are in it\n"
+        "  --export FILE ...      write the solid at the end: .obj, .stl or .ply\n"
+        "  --screenshot FILE.png  write a picture of the viewport at the end (needs a display, or\n"
+        "                         Xvfb installed)\n"
+        "  --size WxH             size of the picture (default: the script's viewport)\n"
+        "  --report FILE.json     write the report\n"
+        "  --keep-going           go on after a step that failed\n"
+        "  --templates DIR        use the templates of this folder only\n"
+        "  --version, --help\n"
+        "\n"
+        "Exit status: 0 every step succeeded; 1 a step failed; 2 the script or the arguments are\n"
+        "unusable, or a file could not be written.\n");
+}
+
+}  // namespace ew

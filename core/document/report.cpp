@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/report.h"
+
+#include <QUndoStack>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace ew {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json vec(const Vec2& v) { return {v.x(), v.y()}; }
+Json vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json places(const std::vector<Vec2>& points) {
+    Json list = Json::array();
+    for (const Vec2& p : points) list.push_back(vec(p));
+    return list;
+}
+
+/// Strokes that were dropped whole: of which nothing is in the graph.
+std::size_t droppedStrokes(const EdgeGraph& graph) {
+    std::set<int> dropped;
+    for (const NoiseItem& item : graph.noise) {
+        if (item.kind != NoiseKind::ModelEdge && item.stroke >= 0) dropped.insert(item.stroke);
+    }
+    for (const GraphEdge& edge : graph.edges) {
+        for (const int stroke : edge.strokes) dropped.erase(stroke);
+    }
+    return dropped.size();
+}
+
+Json graphJson(const EdgeGraph& graph) {
+    Json vertices = Json::array();
+    for (const Junction& j : graph.junctions) vertices.push_back(vec(j.position));
+    Json edges = Json::array();
+    for (const GraphEdge& e : graph.edges) {
+        const char* from = e.origin == EdgeOrigin::Model ? "model" : "stroke";
+        edges.push_back({{"ends", {e.ends[0], e.ends[1]}}, {"from", from}});
+    }
+    int modelEdges = 0;
+    for (const NoiseItem& item : graph.noise) modelEdges += item.kind == NoiseKind::ModelEdge;
+    return {{"vertices", vertices},
+            {"edges", edges},
+            {"noise", {{"strokes", droppedStrokes(graph)}, {"model_edges", modelEdges}}}};
+}
+
+Json candidatesJson(const Interpretation& reading) {
+    Json list = Json::array();
+    for (const Candidate& c : reading.candidates) {
+        list.push_back({{"template", c.templateId},
+                        {"operation", operationName(c.operation)},
+                        {"score", c.score},
+                        {"aspect", c.aspect},
+                        {"reading", c.readingId}});
+    }
+    return list;
+}
+
+Json matchJson(const Interpretation& reading, int chosen) {
+    const Candidate& c = reading.candidates[static_cast<std::size_t>(chosen)];
+    return {{"template", c.templateId},
+            {"aspect", c.aspect},
+            {"operation", operationName(c.operation)},
+            {"score", c.score},
+            {"residual_px", c.residualPx},
+            {"reading", c.readingId},
+            {"notes", c.notes},
+            {"candidates", candidatesJson(reading)}};
+}
+
+Json errorJson(const Error& error) {
+    return {
+        {"code", errcName(error.code)}, {"message", error.message}, {"where", places(error.where)}};
+}
+
+Json stepJson(const StepReport& step) {
+    Json out{{"index", step.index}, {"do", step.name}, {"ok", step.ok}, {"ms", step.ms}};
+    out["edge_graph"] = nullptr;
+    out["match"] = nullptr;
+    if (step.interpretation) {
+        out["edge_graph"] = graphJson(step.interpretation->graph);
+        if (step.chosen >= 0) {
+            out["match"] = matchJson(*step.interpretation, step.chosen);
+        } else if (!step.interpretation->candidates.empty()) {
+            out["candidates"] = candidatesJson(*step.interpretation);
+        }
+    }
+    out["error"] = nullptr;
+    if (step.error) out["error"] = errorJson(*step.error);
+    return out;
+}
+
+Json solidJson(const std::vector<Body>& bodies) {
+    if (bodies.empty()) return nullptr;
+    const SolidSummary s = summarize(bodies);
+    Json positions = Json::array();
+    for (const Vec3& p : s.positions) positions.push_back(vec(p));
+    return {{"vertices", s.vertices},
+            {"edges", s.edges},
+            {"faces", s.faces},
+            {"shells", s.shells},
+            {"genus", s.genus},
+            {"closed", true},  // a Solid is closed, or it would not be
+            {"volume", s.volume},
+            {"area", s.area},
+            {"bounds", {vec(s.bounds[0]), vec(s.bounds[1])}},
+            {"vertex_positions", positions}};
+}
+
+}  // namespace
+
+SolidSummary summarize(const std::vector<Body>& bodies) {
+    SolidSummary sum;
+    if (bodies.empty()) return sum;
+    const double inf = std::numeric_limits<double>::infinity();
+    sum.bounds = {Vec3::Constant(inf), Vec3::Constant(-inf)};
+    for (const Body& body : bodies) {
+        const Solid& solid = body.solid;
+        sum.vertices += static_cast<int>(solid.vertices().size());
+        sum.edges += static_cast<int>(solid.edges().size());
+        sum.faces += static_cast<int>(solid.faces().size());
+        sum.shells += solid.shellCount();
+        sum.genus += solid.genus();
+        sum.volume += solid.volume();
+        sum.area += solid.area();
+        for (const Vec3& v : solid.vertices()) {
+            const Vec3 world = body.pose.toWorld(v);
+            sum.positions.push_back(world);
+            sum.bounds[0] = sum.bounds[0].cwiseMin(world);
+            sum.bounds[1] = sum.bounds[1].cwiseMax(world);
+        }
+    }
+    return sum;
+}
+
+std::string writeReport(const Document& document, const ReplayReport& report,
+                        const std::string& scriptName) {
+    Json steps = Json::array();
+    for (const StepReport& step : report.steps) steps.push_back(stepJson(step));
+    const QUndoStack& stack = document.undoStack();
+    // There is no smooth surface over the solid yet; the contract's keys are there all the same.
+    const Json surface{{"triangles", 0}, {"closed", true}, {"volume", 0.0}, {"max_deviation", 0.0}};
+    const Json out{{"format", "edgewright-report"},
+                   {"version", 1},
+                   {"script", scriptName},
+                   {"steps", steps},
+                   {"solid", solidJson(document.state().bodies)},
+                   {"surface", surface},
+                   {"undo", {{"index", stack.index()}, {"count", stack.count()}}},
+                   {"ms_total", report.msTotal}};
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ew

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/base/camera.h"
+#include "core/base/result.h"
+#include "core/modeling/interpretation.h"
+#include "core/stroke/stroke.h"
+#include "core/tlib/template.h"
+
+namespace ew {
+
+// One struct a step of the sketch script, version 1. Optional members were not named in the file.
+struct CameraStep {
+    std::optional<Vec3> direction, up, center;
+    std::optional<double> worldPerPixel;
+    std::optional<Vec2>
+        viewport;  ///< [px], where later strokes were drawn in a window of another size
+};
+struct ThresholdsStep {
+    std::optional<double> distancePx, angleDeg;
+};
+struct StrokeStep {
+    Stroke stroke;
+    bool hasPressure = false;
+};
+struct EraseStep {
+    Vec2 at = Vec2::Zero();
+};
+struct ClearStep {};
+struct ApplyStep {
+    std::optional<int> candidate;
+    std::string templateId;
+    Operation operation = Operation::Auto;
+    std::optional<double> obliqueFactor;  ///< k of the oblique reading, where it is not 0.5
+};
+struct FilletStep {
+    enum class Which { All, Convex, Concave, Near };
+    Which which = Which::All;
+    std::vector<Vec3> near;  ///< world points, for Which::Near
+    double radius = 0.0;     ///< [mm], > 0
+    std::optional<int> segments;
+};
+struct SubdivideStep {
+    std::string scheme;               ///< "catmull-clark" or "loop"
+    std::optional<int> levels;        ///< 0..6
+    std::optional<double> tolerance;  ///< [mm], > 0
+};
+struct MapStrokesStep {
+    std::string color;
+};
+struct DefineTemplateStep {
+    std::string id, name;
+    std::optional<Template> tmpl;  ///< not set: from the solid
+};
+struct UndoStep {
+    int count = 1;
+};
+struct RedoStep {
+    int count = 1;
+};
+struct DeleteSolidStep {};
+struct SaveStep {
+    std::string path;
+};
+struct OpenStep {
+    std::string path;
+};
+struct ExportStep {
+    std::string path;
+};
+
+using ScriptStep =
+    std::variant<CameraStep, ThresholdsStep, StrokeStep, EraseStep, ClearStep, ApplyStep,
+                 FilletStep, SubdivideStep, MapStrokesStep, DefineTemplateStep, DeleteSolidStep,
+                 UndoStep, RedoStep, SaveStep, OpenStep, ExportStep>;
+
+/// The "do" word of a step.
+std::string_view stepName(const ScriptStep& step);
+
+/// A sketch script, version 1 (the contract is in the project's documentation,
+/// docs/sketch-script.md).
+struct SketchScript {
+    std::string title;
+    std::array<double, 2> viewport{1280, 800};
+    Thresholds thresholds;
+    std::vector<ScriptStep> steps;
+};
+
+// Ranges that a script, a document and the window share.
+inline constexpr double kMinDistancePx = 1.0;
+inline constexpr double kMaxDistancePx = 100.0;
+inline constexpr double kMinAngleDeg = 0.5;
+inline constexpr double kMaxAngleDeg = 45.0;
+inline constexpr double kMinViewportPx = 16.0;
+inline constexpr double kMaxViewportPx = 100'000.0;
+inline constexpr double kMinWorldPerPixel = 1e-9;
+inline constexpr double kMaxWorldPerPixel = 1e9;
+inline constexpr double kMaxCenterMm = 1e12;
+inline constexpr double kMinObliqueFactor = 0.1;
+inline constexpr double kMaxObliqueFactor = 2.0;
+
+inline constexpr std::size_t kMaxScriptBytes = 64U << 20U;
+inline constexpr std::size_t kMaxScriptSteps = 1'000'000;
+
+/// Reads a script. Errors name the step (counted from 0, as in the report) and the key, e.g.
+/// `step 3 (stroke): unknown key "pts"`: Syntax, WrongFormat, WrongVersion, UnknownKey, MissingKey,
+/// WrongType, BadValue, TooLarge (over 64 MiB, or too many values or steps), TooDeep, and those of
+/// readTemplate for an inline template. Stroke coordinates are checked when the step runs.
+Result<SketchScript> readSketchScript(std::string_view json);
+
+/// JSON text that reads back to the same script, one step a line.
+std::string writeSketchScript(const SketchScript& script);
+
+}  // namespace ew

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/json_text.h"
+#include "core/document/sketch_script.h"
+#include "core/document/sketch_script_json.h"
+#include "core/tlib/template_io.h"
+
+namespace ew {
+
+namespace {
+
+/// Appends `, "key": value` to an object that has a key already.
+void put(std::string& out, const char* key, const std::string& value) {
+    if (!out.empty()) out += ", ";
+    out += '"';
+    out += key;
+    out += "\": ";
+    out += value;
+}
+
+std::string body(const ThresholdsStep& s) {
+    std::string out;
+    if (s.distancePx) put(out, "distance_px", numberText(*s.distancePx));
+    if (s.angleDeg) put(out, "angle_deg", numberText(*s.angleDeg));
+    return out;
+}
+
+std::string body(const StrokeStep& s) {
+    std::string out = "\"points\": [";
+    bool first = true;
+    for (const PenSample& p : s.stroke.samples) {
+        if (!first) out += ", ";
+        first = false;
+        out += '[' + numberText(p.position.x()) + ", " + numberText(p.position.y());
+        if (s.hasPressure) out += ", " + numberText(p.pressure) + ", " + numberText(p.timeMs);
+        out += ']';
+    }
+    return out + "]";
+}
+
+std::string body(const CameraStep& s) { return cameraJson(s); }
+std::string body(const EraseStep& s) { return "\"at\": " + vecText(s.at); }
+std::string body(const ClearStep&) { return {}; }
+std::string body(const DeleteSolidStep&) { return {}; }
+
+std::string body(const ApplyStep& s) {
+    std::string out;
+    if (s.candidate) put(out, "candidate", std::to_string(*s.candidate));
+    if (!s.templateId.empty()) put(out, "template", jsonQuoted(s.templateId));
+    if (s.operation != Operation::Auto)
+        put(out, "operation", jsonQuoted(operationName(s.operation)));
+    if (s.obliqueFactor) put(out, "oblique_factor", numberText(*s.obliqueFactor));
+    return out;
+}
+
+std::string body(const FilletStep& s) {
+    std::string edges;
+    switch (s.which) {
+        case FilletStep::Which::All:
+            edges = "\"all\"";
+            break;
+        case FilletStep::Which::Convex:
+            edges = "\"convex\"";
+            break;
+        case FilletStep::Which::Concave:
+            edges = "\"concave\"";
+            break;
+        case FilletStep::Which::Near:
+            for (const Vec3& p : s.near) edges += (edges.empty() ? "[" : ", ") + vecText(p);
+            edges += "]";
+            break;
+    }
+    std::string out;
+    put(out, "edges", edges);
+    put(out, "radius", numberText(s.radius));
+    if (s.segments) put(out, "segments", std::to_string(*s.segments));
+    return out;
+}
+
+std::string body(const SubdivideStep& s) {
+    std::string out;
+    put(out, "scheme", jsonQuoted(s.scheme));
+    if (s.levels) put(out, "levels", std::to_string(*s.levels));
+    if (s.tolerance) put(out, "tolerance", numberText(*s.tolerance));
+    return out;
+}
+
+std::string body(const MapStrokesStep& s) {
+    std::string out;
+    if (!s.color.empty()) put(out, "color", jsonQuoted(s.color));
+    return out;
+}
+
+std::string body(const DefineTemplateStep& s) {
+    std::string out;
+    put(out, "id", jsonQuoted(s.id));
+    put(out, "name", jsonQuoted(s.name));
+    if (s.tmpl) {
+        // One step a line: the template's own line breaks go.
+        put(out, "template", nlohmann::ordered_json::parse(writeTemplate(*s.tmpl)).dump());
+    } else {
+        put(out, "from", "\"solid\"");
+    }
+    return out;
+}
+
+std::string counted(int count) { return count == 1 ? "" : "\"count\": " + std::to_string(count); }
+std::string body(const UndoStep& s) { return counted(s.count); }
+std::string body(const RedoStep& s) { return counted(s.count); }
+std::string body(const SaveStep& s) { return "\"path\": " + jsonQuoted(s.path); }
+std::string body(const OpenStep& s) { return "\"path\": " + jsonQuoted(s.path); }
+std::string body(const ExportStep& s) { return "\"path\": " + jsonQuoted(s.path); }
+
+struct NameOf {
+    std::string_view operator()(const CameraStep&) const { return "camera"; }
+    std::string_view operator()(const ThresholdsStep&) const { return "thresholds"; }
+    std::string_view operator()(const StrokeStep&) const { return "stroke"; }
+    std::string_view operator()(const EraseStep&) const { return "erase"; }
+    std::string_view operator()(const ClearStep&) const { return "clear"; }
+    std::string_view operator()(const ApplyStep&) const { return "apply"; }
+    std::string_view operator()(const FilletStep&) const { return "fillet"; }
+    std::string_view operator()(const SubdivideStep&) const { return "subdivide"; }
+    std::string_view operator()(const MapStrokesStep&) const { return "map_strokes"; }
+    std::string_view operator()(const DefineTemplateStep&) const { return "define_template"; }
+    std::string_view operator()(const DeleteSolidStep&) const { return "delete_solid"; }
+    std::string_view operator()(const UndoStep&) const { return "undo"; }
+    std::string_view operator()(const RedoStep&) const { return "redo"; }
+    std::string_view operator()(const SaveStep&) const { return "save"; }
+    std::string_view operator()(const OpenStep&) const { return "open"; }
+    std::string_view operator()(const ExportStep&) const { return "export"; }
+};
+
+}  // namespace
+
+std::string_view stepName(const ScriptStep& step) { return std::visit(NameOf{}, step); }
+
+std::string cameraJson(const CameraStep& s) {
+    std::string out;
+    if (s.direction) put(out, "direction", vecText(*s.direction));
+    if (s.up) put(out, "up", vecText(*s.up));
+    if (s.center) put(out, "center", vecText(*s.center));
+    if (s.worldPerPixel) put(out, "world_per_pixel", numberText(*s.worldPerPixel));
+    if (s.viewport) put(out, "viewport", vecText(*s.viewport));
+    return out;
+}
+
+std::string writeSketchScript(const SketchScript& script) {
+    std::string out = "{\n  \"format\": \"edgewright-sketch\",\n  \"version\": 1,\n";
+    if (!script.title.empty()) out += "  \"title\": " + jsonQuoted(script.title) + ",\n";
+    out += "  \"viewport\": " + vecText(Vec2(script.viewport[0], script.viewport[1])) + ",\n";
+    out += "  \"thresholds\": {\"distance_px\": " + numberText(script.thresholds.distancePx) +
+           ", \"angle_deg\": " + numberText(script.thresholds.angleDeg) + "},\n";
+    out += "  \"steps\": [";
+    bool first = true;
+    for (const ScriptStep& step : script.steps) {
+        out += first ? "\n    {\"do\": \"" : ",\n    {\"do\": \"";
+        first = false;
+        out += stepName(step);
+        out += '"';
+        const std::string rest = std::visit([](const auto& s) { return body(s); }, step);
+        if (!rest.empty()) out += ", " + rest;
+        out += '}';
+    }
+    out += first ? "]\n}\n" : "\n  ]\n}\n";
+    return out;
+}
+
+}  // namespace ew

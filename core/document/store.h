@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace ew {
+
+/// One step of the history, between states[i] and states[i + 1].
+struct StoredCommand {
+    std::string name;                     ///< shown in the history
+    std::vector<PendingStroke> consumed;  ///< ink that undoing it gives back
+};
+
+/// What a native document (.edgewright) holds: the whole history with every snapshot, the pending
+/// ink, the view and the recorded script.
+struct DocumentFile {
+    std::vector<std::shared_ptr<const DocumentState>> states;  ///< commands.size() + 1
+    std::vector<StoredCommand> commands;
+    int index = 0;  ///< how many commands are done; states[index] is the state of the document
+    std::vector<PendingStroke> pending;
+    int nextStrokeId = 0;  ///< greater than every stroke id
+    OrthographicCamera camera;
+    Thresholds thresholds;
+    double obliqueFactor = 0.5;
+    SketchScript script;
+};
+
+inline constexpr std::size_t kMaxDocumentBytes = 256U << 20U;
+
+/// The document as JSON text (format "edgewright-document", version 1). Solids are kept through
+/// Solid::serialize, each distinct one once; numbers read back to the bit.
+std::string writeDocument(const DocumentFile& file);
+
+/// Reads writeDocument's text. Everything is checked. Errors: TooLarge (over 256 MiB), TooDeep,
+/// Syntax, WrongFormat, WrongVersion, UnknownKey, MissingKey, WrongType, BadValue, and those of
+/// readTemplate, TemplateLibrary::with and Solid::deserialize; messages name the place in the file.
+/// \param shipped  the templates that every library starts with; where a template of the document
+///                 has the same id, the document's takes its place.
+Result<DocumentFile> readDocument(std::string_view text, const TemplateLibrary& shipped);
+
+/// Writes atomically: the old file stands until the new one is whole. Errc::CannotWrite,
+/// Errc::TooLarge where the file could not be read back.
+Result<void> saveDocument(const DocumentFile& file, const QString& path);
+
+/// Errc::FileNotFound, Errc::TooLarge and the errors of readDocument.
+Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped);
+
+/// The bytes of a file of at most `maxBytes`. Errc::FileNotFound (missing, no file, not readable),
+/// Errc::TooLarge.
+Result<std::string> readFileBytes(const QString& path, std::size_t maxBytes);
+
+/// Replaces a file atomically. Errc::CannotWrite.
+Result<void> writeFileBytes(const QString& path, std::string_view bytes);
+
+}  // namespace ew

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/edge_graph/build.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/line_ends.h"
+#include "core/edge_graph/open_ends.h"
+#include "core/edge_graph/planarize.h"
+#include "core/edge_graph/prune.h"
+#include "core/stroke/segmenting.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The line through the ink of an edge, directed from its first to its second vertex.
+GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
+                const std::vector<InkLine>& lines) {
+    GraphEdge edge;
+    const Vec2 p0 = graph.vertices[at(raw.v[0])];
+    const Vec2 p1 = graph.vertices[at(raw.v[1])];
+    const Vec2 axis = p1 - p0;
+    const double len = std::max(axis.norm(), 1e-9);
+    const Vec2 u = axis / len;
+    const double margin = std::min(4.0, 0.1 * len);
+
+    std::vector<Vec2> ink;
+    std::vector<int> strokes;
+    // Extent along the edge of what was drawn for it, by whole lines: their ends are the real pen ends.
+    double lo = len;
+    double hi = 0;
+    Vec2 loTip = p0;
+    Vec2 hiTip = p1;
+    for (const LinePiece& piece : raw.pieces) {
+        const InkLine& line = lines[at(piece.line)];
+        strokes.insert(strokes.end(), line.strokes.begin(), line.strokes.end());
+        edge.inkPx += std::abs(piece.t1 - piece.t0);
+        for (const Vec2& p : line.points) {
+            const double t = (p - p0).dot(u);
+            if (t > margin && t < len - margin) ink.push_back(p);
+        }
+        for (const Vec2& tip : {line.a, line.b}) {
+            const double t = (tip - p0).dot(u);
+            if (t < lo) { lo = t; loTip = tip; }
+            if (t > hi) { hi = t; hiTip = tip; }
+        }
+    }
+    std::sort(strokes.begin(), strokes.end());
+    strokes.erase(std::unique(strokes.begin(), strokes.end()), strokes.end());
+    edge.strokes = std::move(strokes);
+
+    Vec2 center;
+    Vec2 dir;
+    const LineFit fit = ink.size() >= 4 ? fitLine(ink) : LineFit{};
+    if (ink.size() >= 4 && fit.tMax - fit.tMin > 0.4 * len) {
+        center = fit.center;
+        dir = fit.direction;
+        edge.wobblePx = fit.rmsPx;
+    } else {
+        const InkLine& line = lines[at(raw.pieces.front().line)];
+        center = 0.5 * (line.a + line.b);
+        dir = raw.pieces.size() == 1 ? line.direction() : u;
+    }
+    if (dir.dot(u) < 0) dir = -dir;
+    // A line that runs on past the vertex (a T junction's bar) has no end there to speak of.
+    const double reach = 0.12 * len + 6.0;
+    auto tipNear = [&](const Vec2& vertex, const Vec2& tip, bool penEnd) {
+        return Vec2(center + dir * ((penEnd ? tip : vertex) - center).dot(dir));
+    };
+    edge.penEnd = {std::abs(lo) < reach, std::abs(hi - len) < reach};
+    edge.tips = {tipNear(p0, loTip, edge.penEnd[0]), tipNear(p1, hiTip, edge.penEnd[1])};
+    return edge;
+}
+
+/// Junctions at the weighted least-squares intersection of the refitted edges.
+void placeJunctions(EdgeGraph& graph, double distancePx) {
+    const double wAcross = 1.0 / std::pow(tol::kEndSpreadAcross * distancePx, 2);
+    const double wAlong = 1.0 / std::pow(tol::kEndSpreadAlong * distancePx, 2);
+    std::vector<Eigen::Matrix2d> m(graph.junctions.size(), Eigen::Matrix2d::Zero());
+    std::vector<Vec2> r(graph.junctions.size(), Vec2::Zero());
+    for (const GraphEdge& e : graph.edges) {
+        const Vec2 d = (e.tips[1] - e.tips[0]).normalized();
+        const Vec2 n(-d.y(), d.x());
+        for (std::size_t s = 0; s < 2; ++s) {
+            // Where the line runs on, its end says nothing about how far.
+            const double along = (e.penEnd[s] ? 1.0 : 1e-6) * wAlong;
+            const Eigen::Matrix2d w = wAcross * n * n.transpose() + along * d * d.transpose();
+            m[at(e.ends[s])] += w;
+            r[at(e.ends[s])] += w * e.tips[s];
+        }
+    }
+    for (std::size_t j = 0; j < graph.junctions.size(); ++j) {
+        const double det = m[j].determinant();
+        if (det > 1e-18) {
+            const Eigen::Matrix2d inverse =
+                (Eigen::Matrix2d() << m[j](1, 1), -m[j](0, 1), -m[j](1, 0), m[j](0, 0)).finished() /
+                det;
+            graph.junctions[j].position = inverse * r[j];
+        }
+    }
+    for (GraphEdge& e : graph.edges) {
+        const Vec2 d = (e.tips[1] - e.tips[0]).normalized();
+        for (std::size_t s = 0; s < 2; ++s) {
+            if (e.penEnd[s]) continue;
+            const Vec2& p = graph.junctions[at(e.ends[s])].position;
+            e.tips[s] += d * d.dot(p - e.tips[s]);
+        }
+    }
+}
+
+std::vector<Vec2> pieceOutline(const std::vector<InkLine>& lines, const LinePiece& piece) {
+    const InkLine& line = lines[at(piece.line)];
+    const Vec2 d = line.direction();
+    return {line.a + d * piece.t0, line.a + d * piece.t1};
+}
+
+/// Sorts what was pruned into trimmed overshoot, stray ink and dangling edges.
+void setAside(EdgeGraph& graph, const RawGraph& raw, const std::vector<PrunedEdge>& pruned,
+              const std::vector<InkLine>& lines, const std::vector<int>& junctionOf,
+              double distancePx) {
+    std::vector<bool> used(lines.size(), false);
+    for (const RawGraph::Edge& e : raw.edges) {
+        if (!e.alive) continue;
+        for (const LinePiece& p : e.pieces) used[at(p.line)] = true;
+    }
+    for (const PrunedEdge& p : pruned) {
+        double length = 0;
+        for (const LinePiece& piece : p.pieces) length += std::abs(piece.t1 - piece.t0);
+        const InkLine& line = lines[at(p.pieces.front().line)];
+        const double limit =
+            std::max(tol::kOvershootReach * distancePx, tol::kOvershootShare * line.length());
+        const bool overshoot = used[at(p.pieces.front().line)] && length < limit;
+        for (const LinePiece& piece : p.pieces) {
+            for (const int stroke : lines[at(piece.line)].strokes) {
+                graph.noise.push_back({overshoot ? NoiseKind::Overshoot : NoiseKind::Stray, stroke,
+                                       pieceOutline(lines, piece)});
+            }
+        }
+        if (overshoot) continue;
+        DanglingEdge d;
+        const bool first = p.attachedAtFirst || !p.attachedAtSecond;
+        const int from = first ? p.v[0] : p.v[1];
+        const int to = first ? p.v[1] : p.v[0];
+        d.ends = {raw.vertices[at(from)], raw.vertices[at(to)]};
+        d.junction = junctionOf[at(from)];
+        for (const LinePiece& piece : p.pieces) {
+            const auto& s = lines[at(piece.line)].strokes;
+            d.strokes.insert(d.strokes.end(), s.begin(), s.end());
+        }
+        graph.dangling.push_back(std::move(d));
+    }
+}
+
+}  // namespace
+
+namespace {
+
+InkReading readWithWobble(const std::vector<Stroke>& strokes, double distancePx, double wobblePx) {
+    InkReading ink;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        StrokeReading reading =
+            readStroke(strokes[i], static_cast<int>(i), distancePx, wobblePx);
+        NoiseKind kind = NoiseKind::Dot;
+        switch (reading.kind) {
+            case StrokeKind::Polyline:
+                for (Segment& s : reading.segments) ink.segments.push_back(std::move(s));
+                continue;
+            case StrokeKind::Dot: kind = NoiseKind::Dot; break;
+            case StrokeKind::Scribble: kind = NoiseKind::Scribble; break;
+            case StrokeKind::Curve: kind = NoiseKind::Curve; break;
+        }
+        ink.noise.push_back({kind, static_cast<int>(i), std::move(reading.outline)});
+    }
+    return ink;
+}
+
+/// How much this hand wobbles: the median of the longer straight pieces of its drawing [px rms], so that a
+/// piece with a corner overlooked does not count.
+double handWobble(const InkReading& ink, double distancePx) {
+    std::vector<double> rms;
+    for (const Segment& s : ink.segments) {
+        if (s.inkPx >= 2.5 * distancePx) rms.push_back(s.rmsPx);
+    }
+    if (rms.empty()) return tol::kWobbleUnknownPx;
+    const auto middle = rms.begin() + static_cast<std::ptrdiff_t>(rms.size() / 2);
+    std::nth_element(rms.begin(), middle, rms.end());
+    return *middle;
+}
+
+}  // namespace
+
+InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
+    InkReading ink = readWithWobble(strokes, distancePx, tol::kWobbleUnknownPx);
+    // A steady hand means its slight bends, so it is read again with less tolerance.
+    const double wobble = std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx));
+    if (wobble < 0.6 * tol::kWobbleUnknownPx) ink = readWithWobble(strokes, distancePx, wobble);
+    ink.wobblePx = handWobble(ink, distancePx);
+    return ink;
+}
+
+namespace {
+
+EdgeGraph finish(const RawGraph& raw, const std::vector<PrunedEdge>& pruned,
+                 const std::vector<InkLine>& lines, const InkReading& ink, double distancePx) {
+    EdgeGraph graph;
+    graph.noise = ink.noise;
+    std::vector<int> junctionOf(raw.vertices.size(), -1);
+    for (const RawGraph::Edge& e : raw.edges) {
+        if (!e.alive) continue;
+        for (const int v : e.v) {
+            if (junctionOf[at(v)] >= 0) continue;
+            junctionOf[at(v)] = static_cast<int>(graph.junctions.size());
+            graph.junctions.push_back({raw.vertices[at(v)]});
+        }
+        GraphEdge edge = refit(raw, e, lines);
+        edge.ends = {junctionOf[at(e.v[0])], junctionOf[at(e.v[1])]};
+        graph.edges.push_back(std::move(edge));
+    }
+    placeJunctions(graph, distancePx);
+    setAside(graph, raw, pruned, lines, junctionOf, distancePx);
+    findOpenEnds(graph, distancePx);
+    return graph;
+}
+
+constexpr std::size_t kMostBends = 6;
+
+}  // namespace
+
+std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
+                                       const ReadingOptions& options) {
+    const std::vector<InkLine> lines =
+        consolidate(ink.segments, {distancePx, options.mergeScale});
+    const JoinOptions join{distancePx, options.joinScale, options.breakReach};
+    RawGraph raw = planarize(lines, joinEnds(lines, join), {join, options.throughReach});
+    const std::vector<PrunedEdge> pruned = pruneOpen(raw);
+    dissolveCertain(raw, distancePx);
+
+    std::vector<EdgeGraph> graphs{finish(raw, pruned, lines, ink, distancePx)};
+    std::size_t usual = 0;
+    while (graphs.size() <= kMostBends) {
+        const auto bend = leastBend(raw, distancePx);
+        if (!bend) break;
+        dissolveAt(raw, bend->vertex);
+        if (bend->turnDeg < tol::kNearlyStraightDeg &&
+            bend->bendPx < tol::kStraightBend * distancePx) {
+            usual = graphs.size();
+        }
+        graphs.push_back(finish(raw, pruned, lines, ink, distancePx));
+    }
+    std::rotate(graphs.begin(), graphs.begin() + static_cast<std::ptrdiff_t>(usual),
+                graphs.begin() + static_cast<std::ptrdiff_t>(usual) + 1);
+    return graphs;
+}
+
+EdgeGraph buildEdgeGraph(const InkReading& ink, double distancePx, const ReadingOptions& options) {
+    return buildEdgeGraphs(ink, distancePx, options).front();
+}
+
+}  // namespace ew

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/build.h"
+#include "core/edge_graph/canonical.h"
+#include "core/edge_graph/edit.h"
+#include "core/modeling/candidates.h"
+#include "core/modeling/diagnose.h"
+#include "core/modeling/interpretation.h"
+#include "core/tlib/matcher.h"
+
+namespace ew {
+namespace {
+
+/// One way to read the strokes, with what it leads to.
+struct Reading {
+    EdgeGraph graph;
+    std::vector<EdgeGraph> otherParts;
+    std::vector<RatedCandidate> candidates;  ///< best first
+    std::optional<Vec2> impossibleCorner;
+    int extraEdges = 0;
+    double price = 0.0;  ///< of the graph: ink dropped or bent straight, second looks, extra edges
+    double cost = 0.0;   ///< of the best candidate, price included
+    bool clear = false;
+    bool ambiguous = false;
+};
+
+/// Tolerances to try, the plain ones first. None joins ends at a corner from farther than the distance
+/// threshold; only a gap inside an edge may be wider.
+const std::vector<ReadingOptions>& readingOptions() {
+    static const std::vector<ReadingOptions> kOptions{
+        {},
+        {1.0, 0.6, 0.4},
+        {0.72, 0.8, 0.4},
+        {1.0, 1.3, 0.7},
+        {1.0, 1.0, 0.1},
+        {0.72, 0.6, 0.2},
+        {0.85, 1.0, 0.7},
+        {0.55, 0.6, 0.2},
+        {1.0, 1.0, 0.4, 2.2},
+        {0.8, 0.8, 0.4, 2.2},
+    };
+    return kOptions;
+}
+
+/// Price of ink that a graph drops: a stray line is a line too many, a short one less so.
+double strayPrice(const EdgeGraph& graph, double distancePx) {
+    double price = 0;
+    for (const NoiseItem& n : graph.noise) {
+        if (n.kind != NoiseKind::Stray || n.polyline.size() < 2) continue;
+        const double length = (n.polyline.back() - n.polyline.front()).norm();
+        price += tol::kExtraEdgeCost * std::min(1.0, length / (4.0 * distancePx));
+    }
+    return price;
+}
+
+/// Price of ink that strays from its edge more than this hand wobbles: two edges taken for one, most likely.
+double bentPrice(const EdgeGraph& graph, double wobblePx) {
+    const double usual = std::max(wobblePx, tol::kWobbleLeastPx);
+    double price = 0;
+    for (const GraphEdge& e : graph.edges) {
+        const double excess = e.wobblePx * e.wobblePx / (usual * usual) - 4.0;
+        if (excess > 0) price += std::min(30.0, 0.25 * excess * e.inkPx / tol::kWobbleCorrelationPx);
+    }
+    return price;
+}
+
+/// Is the best candidate clear enough to be taken by itself?
+void judge(Reading& r) {
+    if (r.candidates.empty()) return;
+    const RatedCandidate& best = r.candidates.front();
+    r.cost = best.cost;
+    for (const RatedCandidate& other : r.candidates) {
+        if (best.candidate.templateId != other.candidate.templateId && other.withinThresholds &&
+            other.cost < best.cost + tol::kClearMargin) {
+            r.ambiguous = true;
+        }
+    }
+    r.clear = best.withinThresholds && !r.ambiguous;
+}
+
+void sortCandidates(std::vector<RatedCandidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const RatedCandidate& a, const RatedCandidate& b) {
+                         if (a.withinThresholds != b.withinThresholds) return a.withinThresholds;
+                         return a.cost < b.cost;
+                     });
+}
+
+class Pipeline {
+  public:
+    Pipeline(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
+             const InterpretOptions& options)
+        : library_(library), options_(options),
+          ink_(readInk(strokes, options.thresholds.distancePx)) {}
+
+    Interpretation run() {
+        buildReadings();
+        context_.noisePx = commonNoise();
+        for (Reading& r : readings_) match(r, false);
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < readings_.size(); ++i) {
+            if (better(readings_[i], readings_[best])) best = i;
+        }
+        Reading chosen = readings_[best];
+        if (!chosen.clear || chosen.candidates.front().misfit > tol::kDoubtfulMisfit) {
+            tryImperfect(chosen);
+        }
+        rivals(chosen);
+        return conclude(chosen);
+    }
+
+  private:
+    /// All graphs that the reading options lead to, each once.
+    void buildReadings() {
+        std::set<std::string> known;
+        for (std::size_t i = 0; i < readingOptions().size(); ++i) {
+            for (EdgeGraph& graph :
+                 buildEdgeGraphs(ink_, options_.thresholds.distancePx, readingOptions()[i])) {
+                Reading r = read(std::move(graph));
+                if (i > 0) r.price += tol::kSecondLookCost;
+                const std::string key = canonicalForm(planeGraph(r.graph)).code + "/" +
+                                        std::to_string(static_cast<int>(r.price));
+                if (known.insert(key).second) readings_.push_back(std::move(r));
+            }
+        }
+    }
+
+    /// How far this hand's lines miss, told by the graph in which they miss least: a wrong graph makes a
+    /// good hand look bad.
+    double commonNoise() const {
+        double noise = std::numeric_limits<double>::infinity();
+        for (const Reading& r : readings_) {
+            if (!r.graph.empty()) noise = std::min(noise, drawingNoisePx(r.graph));
+        }
+        const double hand = tol::kMissPerWobble * ink_.wobblePx;
+        return std::isfinite(noise) ? std::max(noise, hand) : std::max(1.0, hand);
+    }
+
+    static bool better(const Reading& a, const Reading& b) {
+        if (a.candidates.empty()) return false;
+        if (b.candidates.empty()) return true;
+        const bool withinA = a.candidates.front().withinThresholds;
+        const bool withinB = b.candidates.front().withinThresholds;
+        if (withinA != withinB) return withinA;
+        return a.cost < b.cost;
+    }
+
+    Reading read(EdgeGraph graph) const {
+        Reading r;
+        const double distance = options_.thresholds.distancePx;
+        std::vector<EdgeGraph> parts = connectedParts(graph);
+        r.graph = std::move(parts.front());
+        const double size = graphExtent(r.graph);
+        for (std::size_t p = 1; p < parts.size(); ++p) {
+            // A little closed loop beside the drawing is a slip of the pen, not a second drawing.
+            if (graphExtent(parts[p]) > 0.2 * size) {
+                r.otherParts.push_back(std::move(parts[p]));
+            } else {
+                for (const GraphEdge& e : parts[p].edges) {
+                    r.graph.noise.push_back({NoiseKind::Stray, e.strokes.empty() ? -1 : e.strokes.front(),
+                                             {e.tips[0], e.tips[1]}});
+                }
+            }
+        }
+        r.price = strayPrice(r.graph, distance) + bentPrice(r.graph, ink_.wobblePx);
+        return r;
+    }
+
+    void match(Reading& r, bool allowMissing) {
+        MatchOptions m;
+        m.distancePx = options_.thresholds.distancePx;
+        m.templateId = options_.templateId;
+        m.allowMissing = allowMissing;
+        std::vector<GraphMatch> found = matchGraph(r.graph, library_.index(), m);
+        std::erase_if(found, [&](const GraphMatch& g) {
+            return g.parallelDeg > options_.thresholds.angleDeg + 25;
+        });
+        if (found.size() > 8) found.resize(8);
+        // Closed forms first: what they explain well the solver need not try.
+        std::stable_partition(found.begin(), found.end(), [](const GraphMatch& g) {
+            return g.entry->analysis.rectilinear.has_value();
+        });
+        for (const GraphMatch& g : found) {
+            context_.worthCost = worthCost_ - r.price;
+            for (RatedCandidate& c : readingsOf(r.graph, g, context_, r.impossibleCorner)) {
+                c.candidate.extraEdges = r.extraEdges;
+                c.cost += r.price;
+                if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
+                if (c.withinThresholds) worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
+                r.candidates.push_back(std::move(c));
+            }
+        }
+        sortCandidates(r.candidates);
+        judge(r);
+    }
+
+    /// An edge too many or too few: each edge left out in turn, then aspects with one edge less.
+    void tryImperfect(Reading& best) {
+        std::size_t tried = 0;
+        for (const Reading& base : readings_) {
+            if (base.graph.edges.size() > 30 || base.graph.edges.size() < 5) continue;
+            if (++tried > 3) break;
+            for (std::size_t e = 0; e < base.graph.edges.size(); ++e) {
+                Reading r;
+                r.graph = withoutEdges(base.graph, {static_cast<int>(e)});
+                if (r.graph.edges.size() < 5) continue;
+                r.otherParts = base.otherParts;
+                r.price = base.price + tol::kExtraEdgeCost;
+                r.extraEdges = 1;
+                match(r, false);
+                if (better(r, best)) best = std::move(r);
+            }
+            Reading r;
+            r.graph = base.graph;
+            r.otherParts = base.otherParts;
+            r.price = base.price;
+            match(r, true);
+            if (better(r, best)) best = std::move(r);
+        }
+    }
+
+    /// Other graphs' candidates compete too: a different solid that explains the ink as well makes the choice
+    /// the person's.
+    void rivals(Reading& best) const {
+        if (best.candidates.empty()) return;
+        const RatedCandidate& first = best.candidates.front();
+        for (const Reading& r : readings_) {
+            if (r.candidates.empty()) continue;
+            const RatedCandidate& other = r.candidates.front();
+            if (other.withinThresholds && other.cost < first.cost + tol::kClearMargin &&
+                other.candidate.templateId != first.candidate.templateId) {
+                best.ambiguous = true;
+                best.clear = false;
+                best.candidates.push_back(other);
+                sortCandidates(best.candidates);
+                return;
+            }
+        }
+    }
+
+    /// Is there ink that the best candidate explains as missing although a line was begun there?
+    static bool blockedByOpenEnd(const Reading& r) {
+        return !r.candidates.empty() && r.candidates.front().candidate.missingEdges > 0 &&
+               !r.graph.openEnds.empty();
+    }
+
+    void addNamedReadings(Reading& r) {
+        if (r.candidates.empty()) return;
+        const RatedCandidate base = r.candidates.front();
+        if (base.entry->tmpl.readings.empty()) return;
+        for (RatedCandidate& c : namedReadings(r.graph, base, context_)) {
+            r.candidates.push_back(std::move(c));
+        }
+        sortCandidates(r.candidates);
+    }
+
+    Interpretation conclude(Reading& best) {
+        addNamedReadings(best);
+        Findings findings;
+        findings.candidates = &best.candidates;
+        findings.impossibleCorner = best.impossibleCorner;
+        findings.otherParts = best.otherParts;
+        findings.ambiguous = best.ambiguous;
+        findings.blockedByOpenEnd = blockedByOpenEnd(best);
+
+        Interpretation out;
+        out.graph = best.graph;
+        const double least = best.candidates.empty() ? 0.0 : best.candidates.front().cost;
+        for (const RatedCandidate& c : best.candidates) {
+            if (static_cast<int>(out.candidates.size()) >= options_.maxCandidates) break;
+            out.candidates.push_back(c.candidate);
+            const double off = c.candidate.residualPx / options_.thresholds.distancePx;
+            const double quality = std::exp(-2.0 * off * off) *
+                                   std::pow(0.9, c.candidate.missingEdges + c.candidate.extraEdges);
+            out.candidates.back().score =
+                out.candidates.size() == 1
+                    ? quality
+                    : std::min(quality, out.candidates.front().score *
+                                            std::exp(-std::max(0.0, c.cost - least) / 30.0));
+        }
+        if (best.clear && best.otherParts.empty() && !findings.blockedByOpenEnd) {
+            out.accepted = 0;
+        } else {
+            explain(out, findings, library_, options_);
+        }
+        return out;
+    }
+
+    const TemplateLibrary& library_;
+    const InterpretOptions& options_;
+    InkReading ink_;
+    ReadingContext context_{options_};
+    double worthCost_ = std::numeric_limits<double>::infinity();
+    std::vector<Reading> readings_;
+};
+
+}  // namespace
+
+std::string_view operationName(Operation op) {
+    switch (op) {
+        case Operation::Auto: return "auto";
+        case Operation::Create: return "create";
+        case Operation::Add: return "add";
+        case Operation::Cut: return "cut";
+    }
+    return "auto";
+}
+
+Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
+                         const InterpretOptions& options) {
+    Interpretation out;
+    if (strokes.empty()) {
+        out.problem = Error{Errc::EmptySketch, "Nothing is drawn yet.", {}};
+        return out;
+    }
+    if (strokes.size() > kMaxPendingStrokes) {
+        out.problem = Error{Errc::TooManyStrokes,
+                            "There are " + std::to_string(strokes.size()) + " strokes; at most " +
+                                std::to_string(kMaxPendingStrokes) + " are read at once.",
+                            {}};
+        return out;
+    }
+    for (const Stroke& s : strokes) {
+        if (auto ok = validateStroke(s); !ok) {
+            out.problem = ok.error();
+            return out;
+        }
+    }
+    if (!options.templateId.empty() && library.find(options.templateId) < 0) {
+        out.problem = Error{Errc::UnknownTemplate,
+                            "There is no template \"" + options.templateId + "\" in the library.",
+                            {}};
+        return out;
+    }
+    return Pipeline(strokes, library, options).run();
+}
+
+}  // namespace ew

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/vec.h"
+
+namespace ew {
+
+/// A polyhedron as vertices and planar faces, in doubles: what reconstruction hands to the solid
+/// room and what templates are made of. Coordinates that should be equal are equal to the bit
+/// (parallel faces of a box share their coordinate).
+struct PolyhedronSpec {
+    std::vector<Vec3> vertices;           ///< body frame [mm]
+    std::vector<std::vector<int>> faces;  ///< each a loop of >= 3 vertex indices, counter-clockwise
+                                          ///< seen from outside; a face has no holes here
+};
+
+}  // namespace ew

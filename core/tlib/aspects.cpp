@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tlib/aspects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/canonical.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The shape in the coordinates of a view: x right, y down, z away from the eye; unit size.
+struct View {
+    std::vector<Vec3> points;
+    std::vector<double> facing;  ///< per face: normal . direction, negative towards the eye
+};
+
+View makeView(const PolyhedronSpec& shape, const TemplateAnalysis& analysis, const Vec3& direction) {
+    const Vec3 helper = std::abs(direction.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+    const Vec3 right = direction.cross(helper).normalized();
+    const Vec3 down = direction.cross(right);
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : shape.vertices) box.extend(p);
+    const double scale = 1.0 / box.diagonal().norm();
+    View view;
+    for (const Vec3& p : shape.vertices) {
+        const Vec3 q = (p - box.center()) * scale;
+        view.points.emplace_back(q.dot(right), q.dot(down), q.dot(direction));
+    }
+    for (const Vec3& n : analysis.faceNormals) view.facing.push_back(n.dot(direction));
+    return view;
+}
+
+bool insideLoop(const View& view, const std::vector<int>& loop, const Vec2& p) {
+    bool in = false;
+    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+        const Vec3& a = view.points[at(loop[i])];
+        const Vec3& b = view.points[at(loop[j])];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+            in = !in;
+        }
+    }
+    return in;
+}
+
+/// Builds the visible graph of one view.
+class Occlusion {
+  public:
+    Occlusion(const PolyhedronSpec& shape, const TemplateAnalysis& analysis, const View& view)
+        : shape_(shape), analysis_(analysis), view_(view) {}
+
+    /// False where the view is accidental.
+    bool run(Aspect& aspect) {
+        const std::size_t n = analysis_.edges.size();
+        splits_.assign(n, {0.0, 1.0});
+        for (std::size_t e = 0; e < n; ++e) {
+            drawn_.push_back(frontFacing(analysis_.edges[e].faces[0]) ||
+                             frontFacing(analysis_.edges[e].faces[1]));
+        }
+        if (!analysis_.convex && !splitAtCrossings()) return false;
+        std::vector<std::vector<std::array<double, 2>>> visible(n);
+        for (std::size_t e = 0; e < n; ++e) {
+            if (!drawn_[e]) continue;
+            auto& cuts = splits_[e];
+            std::sort(cuts.begin(), cuts.end());
+            for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+                if (hidden(e, 0.5 * (cuts[i] + cuts[i + 1]))) continue;
+                if (!visible[e].empty() && visible[e].back()[1] == cuts[i]) {
+                    visible[e].back()[1] = cuts[i + 1];
+                } else {
+                    visible[e].push_back({cuts[i], cuts[i + 1]});
+                }
+            }
+        }
+        return assemble(visible, aspect);
+    }
+
+  private:
+    struct Crossing {
+        int front, back;     ///< edges
+        double tFront, tBack;
+    };
+
+    bool frontFacing(int face) const { return view_.facing[at(face)] < 0; }
+    Vec3 pointOn(std::size_t e, double t) const {
+        const auto& ends = analysis_.edges[e].ends;
+        return (1 - t) * view_.points[at(ends[0])] + t * view_.points[at(ends[1])];
+    }
+
+    bool splitAtCrossings() {
+        const std::size_t n = analysis_.edges.size();
+        for (std::size_t e = 0; e < n; ++e) {
+            for (std::size_t f = e + 1; f < n; ++f) {
+                if (!drawn_[e] || !drawn_[f]) continue;
+                const auto& a = analysis_.edges[e].ends;
+                const auto& b = analysis_.edges[f].ends;
+                if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) continue;
+                const Vec2 p = view_.points[at(a[0])].head<2>();
+                const Vec2 u = view_.points[at(a[1])].head<2>() - p;
+                const Vec2 q = view_.points[at(b[0])].head<2>();
+                const Vec2 v = view_.points[at(b[1])].head<2>() - q;
+                const double sine = cross2(u, v);
+                if (std::abs(sine) < 1e-12) continue;
+                const double t = cross2(q - p, v) / sine;
+                const double s = cross2(q - p, u) / sine;
+                constexpr double m = tol::kAccidentalView;
+                if (t < -m || t > 1 + m || s < -m || s > 1 + m) continue;
+                if (t < m || t > 1 - m || s < m || s > 1 - m) return false;
+                const bool eInFront = pointOn(e, t).z() < pointOn(f, s).z();
+                splits_[e].push_back(t);
+                splits_[f].push_back(s);
+                if (eInFront) {
+                    crossings_.push_back({static_cast<int>(e), static_cast<int>(f), t, s});
+                } else {
+                    crossings_.push_back({static_cast<int>(f), static_cast<int>(e), s, t});
+                }
+            }
+        }
+        return true;
+    }
+
+    bool hidden(std::size_t e, double t) const {
+        if (analysis_.convex) return false;
+        const Vec3 p = pointOn(e, t);
+        for (std::size_t f = 0; f < shape_.faces.size(); ++f) {
+            const int fi = static_cast<int>(f);
+            if (!frontFacing(fi)) continue;
+            if (analysis_.edges[e].faces[0] == fi || analysis_.edges[e].faces[1] == fi) continue;
+            if (!insideLoop(view_, shape_.faces[f], p.head<2>())) continue;
+            if (depthAt(f, p.head<2>()) < p.z() - 1e-9) return true;
+        }
+        return false;
+    }
+
+    double depthAt(std::size_t f, const Vec2& p) const {
+        const auto& loop = shape_.faces[f];
+        Vec3 n = Vec3::Zero();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            n += view_.points[at(loop[i])].cross(view_.points[at(loop[(i + 1) % loop.size()])]);
+        }
+        const Vec3& q = view_.points[at(loop[0])];
+        return q.z() - (n.x() * (p.x() - q.x()) + n.y() * (p.y() - q.y())) / n.z();
+    }
+
+    bool assemble(const std::vector<std::vector<std::array<double, 2>>>& visible, Aspect& aspect) {
+        std::map<int, int> vertexOf;                      // template vertex -> graph vertex
+        std::map<std::pair<int, double>, int> tOf;        // (edge, t) -> T junction on it
+        auto vertex = [&](int v) {
+            const auto [it, added] = vertexOf.emplace(v, static_cast<int>(aspect.vertex.size()));
+            if (added) {
+                aspect.vertex.push_back(v);
+                aspect.graph.points.emplace_back(view_.points[at(v)].head<2>());
+            }
+            return it->second;
+        };
+        // A visible edge that stops in the middle stops where it passes behind another: a T junction there.
+        std::map<int, std::vector<std::pair<double, int>>> onBar;
+        for (std::size_t e = 0; e < visible.size(); ++e) {
+            for (const auto& piece : visible[e]) {
+                for (const double t : piece) {
+                    if (t == 0.0 || t == 1.0) continue;
+                    const auto c = std::find_if(
+                        crossings_.begin(), crossings_.end(),
+                        [&](const Crossing& x) { return x.back == static_cast<int>(e) && x.tBack == t; });
+                    if (c == crossings_.end()) return false;
+                    const int id = static_cast<int>(aspect.vertex.size());
+                    aspect.vertex.push_back(-1);
+                    aspect.graph.points.emplace_back(pointOn(e, t).head<2>());
+                    tOf[{static_cast<int>(e), t}] = id;
+                    onBar[c->front].emplace_back(c->tFront, id);
+                }
+            }
+        }
+        for (std::size_t e = 0; e < visible.size(); ++e) {
+            for (const auto& piece : visible[e]) {
+                std::vector<std::pair<double, int>> stops;
+                for (const double t : piece) {
+                    const int v = t == 0.0   ? vertex(analysis_.edges[e].ends[0])
+                                  : t == 1.0 ? vertex(analysis_.edges[e].ends[1])
+                                             : tOf[{static_cast<int>(e), t}];
+                    stops.emplace_back(t, v);
+                }
+                for (const auto& [t, id] : onBar[static_cast<int>(e)]) {
+                    if (t > piece[0] && t < piece[1]) stops.emplace_back(t, id);
+                }
+                std::sort(stops.begin(), stops.end());
+                for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+                    aspect.graph.edges.push_back({stops[i].second, stops[i + 1].second});
+                    aspect.edge.push_back(static_cast<int>(e));
+                }
+            }
+        }
+        return true;
+    }
+
+    const PolyhedronSpec& shape_;
+    const TemplateAnalysis& analysis_;
+    const View& view_;
+    std::vector<bool> drawn_;
+    std::vector<std::vector<double>> splits_;
+    std::vector<Crossing> crossings_;
+};
+
+/// Directions spread evenly over the sphere (Fibonacci lattice), turned so that none is along an axis.
+std::vector<Vec3> spreadDirections(int count) {
+    std::vector<Vec3> result;
+    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const Mat3 turn = (Eigen::AngleAxisd(0.317, Vec3::UnitX()) *
+                       Eigen::AngleAxisd(0.711, Vec3::UnitY()))
+                          .toRotationMatrix();
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - 2.0 * (i + 0.5) / count;
+        const double r = std::sqrt(1.0 - z * z);
+        result.push_back(turn * Vec3(r * std::cos(golden * i), r * std::sin(golden * i), z));
+    }
+    return result;
+}
+
+/// Key that is equal where two views show the same parts of the same template.
+std::string labelledKey(const Aspect& a) {
+    std::string key;
+    for (const int f : a.visibleFaces) key.append("f").append(std::to_string(f));
+    std::vector<std::string> parts;
+    for (std::size_t e = 0; e < a.edge.size(); ++e) {
+        int u = a.vertex[at(a.graph.edges[e][0])];
+        int v = a.vertex[at(a.graph.edges[e][1])];
+        if (u > v) std::swap(u, v);
+        std::string part = std::to_string(a.edge[e]);
+        part.append(":").append(std::to_string(u)).append(",").append(std::to_string(v));
+        parts.push_back(std::move(part));
+    }
+    std::sort(parts.begin(), parts.end());
+    for (const auto& p : parts) key.append(";").append(p);
+    return key;
+}
+
+constexpr std::size_t kDirectionsKept = 4;
+
+void keepDirection(Aspect& aspect, const Vec3& d) {
+    for (const Vec3& k : aspect.directions) {
+        if (k.dot(d) > 0.96) return;
+    }
+    if (aspect.directions.size() < kDirectionsKept) aspect.directions.push_back(d);
+}
+
+}  // namespace
+
+void indexAspect(Aspect& aspect) {
+    aspect.form = canonicalForm(aspect.graph);
+    if (aspect.form.walks.size() > 1) aspect.form.walks.resize(1);
+    aspect.outer = outerVertices(aspect.graph);
+}
+
+Aspect viewAspect(const PolyhedronSpec& shape, const TemplateAnalysis& analysis,
+                  const Vec3& direction) {
+    Aspect aspect;
+    const View view = makeView(shape, analysis, direction);
+    for (std::size_t f = 0; f < view.facing.size(); ++f) {
+        if (std::abs(view.facing[f]) < tol::kAccidentalView) return {};
+        if (view.facing[f] < 0) aspect.visibleFaces.push_back(static_cast<int>(f));
+    }
+    if (!Occlusion(shape, analysis, view).run(aspect)) return {};
+    aspect.directions = {direction};
+    aspect.name = "explicit-" + std::to_string(aspect.visibleFaces.size());
+    return aspect;
+}
+
+std::vector<Aspect> explicitAspects(const Template& tmpl, const TemplateAnalysis& analysis) {
+    std::vector<Aspect> aspects;
+    std::map<std::string, std::size_t> known;
+    std::map<std::vector<int>, std::size_t> knownMasks;
+    for (const Vec3& d : spreadDirections(analysis.convex ? 400 : 300)) {
+        std::vector<int> mask;
+        bool accidental = false;
+        for (std::size_t f = 0; f < analysis.faceNormals.size(); ++f) {
+            const double facing = analysis.faceNormals[f].dot(d);
+            accidental = accidental || std::abs(facing) < tol::kAccidentalView;
+            if (facing < 0) mask.push_back(static_cast<int>(f));
+        }
+        if (accidental || mask.size() < 2) continue;
+        if (analysis.convex) {
+            // A convex shape's view is settled by which faces are seen.
+            if (const auto it = knownMasks.find(mask); it != knownMasks.end()) {
+                keepDirection(aspects[it->second], d);
+                continue;
+            }
+        }
+        Aspect aspect = viewAspect(tmpl.shape, analysis, d);
+        if (aspect.name.empty()) continue;
+        // Faces that are turned to the eye but hidden do not count as seen.
+        if (!analysis.convex) {
+            std::set<int> seen;
+            for (std::size_t e = 0; e < aspect.edge.size(); ++e) {
+                for (const int f : analysis.edges[at(aspect.edge[e])].faces) {
+                    if (analysis.faceNormals[at(f)].dot(d) < 0) seen.insert(f);
+                }
+            }
+            aspect.name = "explicit-" + std::to_string(seen.size());
+        }
+        const auto [it, added] = known.emplace(labelledKey(aspect), aspects.size());
+        if (!added) {
+            keepDirection(aspects[it->second], d);
+            continue;
+        }
+        indexAspect(aspect);
+        if (aspect.form.code.empty()) {
+            known.erase(it);
+            continue;
+        }
+        if (analysis.convex) knownMasks.emplace(mask, aspects.size());
+        aspects.push_back(std::move(aspect));
+    }
+    return aspects;
+}
+
+}  // namespace ew

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/edge_graph/canonical.h"
+#include "core/tlib/aspects.h"
+#include "core/tlib/template.h"
+
+namespace ew {
+
+/// A template with what was derived from it.
+struct LibraryEntry {
+    Template tmpl;
+    TemplateAnalysis analysis;
+    std::vector<std::vector<int>> symmetries;  ///< vertex permutations, identity first
+    std::vector<Aspect> aspects;               ///< one of each class that symmetries unite
+};
+
+struct AspectRef {
+    int entry = -1;
+    int aspect = -1;
+    int removedEdge = -1;  ///< graph edge left out, -1 for the whole aspect
+};
+
+struct LibraryIndex {
+    std::vector<std::shared_ptr<const LibraryEntry>> entries;
+    std::unordered_map<std::string, int> byId;
+    std::unordered_map<std::string, std::vector<AspectRef>> byCode;       ///< canonical code
+    std::unordered_map<std::size_t, std::vector<AspectRef>> bySignature;  ///< aspects less one edge
+};
+
+/// Derives the aspects of a checked template and adds it.
+void addToIndex(LibraryIndex& index, Template tmpl);
+
+/// The aspect without one of its edges: what is left dangling by that is removed too, and a T junction
+/// that lost its stem is dissolved. Empty graph where nothing closed is left.
+Aspect withoutEdge(const Aspect& aspect, int edge);
+
+}  // namespace ew

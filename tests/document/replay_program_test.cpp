@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program edgewright-replay as a person calls it: exit status, files, messages.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "core/document/sketch_script.h"
+#include "core/document/store.h"
+
+namespace ew {
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+class ReplayProgram : public ::testing::Test {
+  protected:
+    Outcome run(QStringList arguments) {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        // Nothing of this may need a display, and the person's own templates stay out.
+        environment.remove("DISPLAY");
+        environment.remove("WAYLAND_DISPLAY");
+        environment.insert("XDG_DATA_HOME", folder_.filePath("data"));
+        process.setProcessEnvironment(environment);
+        process.start(QCoreApplication::applicationDirPath() + "/../app/edgewright-replay",
+                      arguments);
+        EXPECT_TRUE(process.waitForFinished(60'000)) << process.errorString().toStdString();
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        return {process.exitCode(), process.readAllStandardOutput().toStdString(),
+                process.readAllStandardError().toStdString()};
+    }
+
+    void script(const QString& name, const std::string& steps) {
+        ASSERT_TRUE(writeFileBytes(
+            folder_.filePath(name),
+            R"({"format": "edgewright-sketch", "version": 1, "steps": [)" + steps + "]}"));
+    }
+
+    bool exists(const QString& name) const { return QFileInfo(folder_.filePath(name)).isFile(); }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(ReplayProgram, SucceedsAndReports) {
+    script("ok.json", R"({"do": "stroke", "points": [[1, 2], [3, 4]]}, {"do": "clear"})");
+    const Outcome r = run({"ok.json", "--out", "a/b", "--report", "r.json"});
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_TRUE(r.err.empty()) << r.err;
+    EXPECT_NE(r.out.find("step 1 clear: done"), std::string::npos) << r.out;
+    ASSERT_TRUE(exists("a/b/r.json"));
+    const auto report =
+        nlohmann::json::parse(*readFileBytes(folder_.filePath("a/b/r.json"), 1U << 20U));
+    EXPECT_EQ(report["script"], "ok.json");
+    EXPECT_EQ(report["steps"].size(), 2U);
+}
+
+TEST_F(ReplayProgram, NamesTheStepThatFailed) {
+    script("fails.json", R"({"do": "clear"}, {"do": "apply"}, {"do": "undo"}, {"do": "clear"})");
+    Outcome r = run({"fails.json", "--report", "r.json"});
+    EXPECT_EQ(r.status, 1);
+    EXPECT_NE(r.err.find("step 1 (apply)"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("empty-sketch"), std::string::npos) << r.err;
+    auto report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_EQ(report["steps"].size(), 2U);
+    EXPECT_EQ(report["steps"][1]["error"]["code"], "empty-sketch");
+    r = run({"fails.json", "--report", "r.json", "--keep-going"});
+    EXPECT_EQ(r.status, 1);
+    EXPECT_NE(r.err.find("step 1 (apply)"), std::string::npos) << r.err;
+    report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_EQ(report["steps"].size(), 4U);
+}
+
+TEST_F(ReplayProgram, RefusesUnusableInput) {
+    script("ok.json", R"({"do": "clear"})");
+    script("unknown.json", R"({"do": "stroke", "pts": []})");
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("cut.json"), "{\"format\": \"edge"));
+    QFile huge(folder_.filePath("huge.json"));
+    ASSERT_TRUE(huge.open(QIODevice::WriteOnly) && huge.resize(qint64{100} << 20U));
+    EXPECT_EQ(run({}).status, 2);
+    EXPECT_EQ(run({"missing.json"}).status, 2);
+    EXPECT_EQ(run({"."}).status, 2);
+    EXPECT_EQ(run({"cut.json"}).status, 2);
+    EXPECT_EQ(run({"huge.json"}).status, 2);
+    EXPECT_EQ(run({"ok.json", "--bogus"}).status, 2);
+    EXPECT_EQ(run({"ok.json", "--templates", "missing"}).status, 2);
+    EXPECT_EQ(run({"ok.json", "--out", "ok.json/x"}).status, 2);
+    EXPECT_EQ(run({"ok.json", "--report", "no/such/folder/r.json"}).status, 2);
+    const Outcome unknown = run({"unknown.json"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("step 0 (stroke): unknown key \"pts\""), std::string::npos)
+        << unknown.err;
+}
+
+TEST_F(ReplayProgram, AnExportWithoutASolidFails) {
+    script("ok.json", R"({"do": "clear"})");
+    const Outcome r = run({"ok.json", "--export", "a.obj"});
+    EXPECT_EQ(r.status, 1);
+    EXPECT_NE(r.err.find("no-solid"), std::string::npos) << r.err;
+    EXPECT_FALSE(exists("a.obj"));
+    EXPECT_EQ(run({"ok.json", "--export", "a.blend"}).status, 2);
+}
+
+/// The nine visible edges of a box of 60 x 40 x 30, drawn exactly, and an apply.
+SketchScript drawnBox() {
+    SketchScript script;
+    OrthographicCamera camera;
+    camera.direction = Vec3(-1, 1.3, -0.8).normalized();
+    script.steps.emplace_back(CameraStep{camera.direction, {}, {}, {}, {}});
+    const auto corner = [&](int x, int y, int z) {
+        return camera.project(Vec3(60 * x, 40 * y, 30 * z));
+    };
+    const std::vector<std::vector<Vec2>> polylines{
+        {corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1), corner(0, 0, 1)},
+        {corner(0, 0, 1), corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1)},
+        {corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1)}};
+    for (const auto& polyline : polylines) {
+        StrokeStep stroke;
+        for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+            constexpr int kPieces = 20;
+            for (int k = 0; k < kPieces; ++k) {
+                const double t = static_cast<double>(k) / kPieces;
+                PenSample sample;
+                sample.position = (1 - t) * polyline[i] + t * polyline[i + 1];
+                stroke.stroke.samples.push_back(sample);
+            }
+        }
+        PenSample last;
+        last.position = polyline.back();
+        stroke.stroke.samples.push_back(last);
+        script.steps.emplace_back(std::move(stroke));
+    }
+    script.steps.emplace_back(ApplyStep{});
+    return script;
+}
+
+TEST_F(ReplayProgram, MakesADrawnBoxSavesItAndOpensIt) {
+    SketchScript box = drawnBox();
+    box.steps.emplace_back(SaveStep{"box.edgewright"});
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("box.json"), writeSketchScript(box)));
+    Outcome r = run({"box.json", "--report", "r.json", "--export", "a.obj", "a.stl", "a.ply"});
+    ASSERT_EQ(r.status, 0) << r.err;
+    EXPECT_NE(r.out.find("create cube"), std::string::npos) << r.out;
+    for (const char* name : {"a.obj", "a.stl", "a.ply", "box.edgewright"}) {
+        EXPECT_TRUE(exists(name)) << name;
+    }
+    auto report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_NEAR(report["solid"]["volume"].get<double>(), 72'000, 72'000 * 1e-6);
+    EXPECT_EQ(report["undo"]["index"], 1);
+    const auto positions = report["solid"]["vertex_positions"];
+
+    script("again.json",
+           R"({"do": "open", "path": "box.edgewright"}, {"do": "undo"}, {"do": "redo"})");
+    r = run({"again.json", "--report", "r.json"});
+    ASSERT_EQ(r.status, 0) << r.err;
+    report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_EQ(report["solid"]["vertex_positions"], positions);
+
+    script("ink.json",
+           R"({"do": "open", "path": "box.edgewright"}, {"do": "undo"}, {"do": "apply"})");
+    r = run({"ink.json", "--report", "r.json"});
+    ASSERT_EQ(r.status, 0) << r.err;
+    report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_EQ(report["solid"]["vertex_positions"], positions);
+}
+
+TEST_F(ReplayProgram, HelpsAndTellsItsVersion) {
+    const Outcome help = run({"--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
+    const Outcome version = run({"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_NE(version.out.find(EDGEWRIGHT_VERSION), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ew

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Times of the window; needs an X display with OpenGL. Limits: a pen sample 0.5 ms, a frame while
+// drawing with 200 pending strokes 16 ms in software OpenGL.
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <QTabletEvent>
+#include <QTest>
+#include <cstdio>
+#include <memory>
+
+#include "core/document/document.h"
+#include "core/document/resources.h"
+#include "ui/app_setup.h"
+#include "ui/apply_controller.h"
+#include "ui/live_reading.h"
+#include "ui/main_window.h"
+#include "ui/theme/appearance.h"
+#include "ui/tools/tool_box.h"
+#include "ui/viewport/viewport_widget.h"
+
+namespace {
+
+std::unique_ptr<ew::Appearance> appearance;
+std::unique_ptr<ew::MainWindow> window;
+
+void sendPen(QEvent::Type type, const QPointF& at) {
+    const Qt::MouseButtons buttons =
+        type == QEvent::TabletRelease ? Qt::NoButton : Qt::MouseButtons(Qt::LeftButton);
+    const Qt::MouseButton button = type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton;
+    QTabletEvent event(type, QPointingDevice::primaryPointingDevice(), at, at, 0.5, 0, 0, 0, 0, 0,
+                       Qt::NoModifier, button, buttons);
+    QApplication::sendEvent(&window->viewport(), &event);
+}
+
+QPointF alongWave(int i) { return {40.0 + (i % 600), 200.0 + 60.0 * ((i / 7) % 5)}; }
+
+void addStrokes(int count) {
+    window->document().clearStrokes();
+    for (int k = 0; k < count; ++k) {
+        ew::Stroke stroke;
+        const ew::Vec2 from(40.0 + 30.0 * (k % 20), 40.0 + 55.0 * (k / 20));
+        for (int i = 0; i <= 40; ++i) {
+            stroke.samples.push_back(
+                {from + ew::Vec2(2.0 * i, (k % 5) * 0.8 * i), 0.3 + 0.01 * i, 8.0 * i});
+        }
+        if (!window->document().addStroke(std::move(stroke))) std::abort();
+    }
+    QApplication::processEvents();
+}
+
+/// The handler of one sample, as the pen tool sees it.
+void penSample(benchmark::State& state) {
+    addStrokes(static_cast<int>(state.range(0)));
+    sendPen(QEvent::TabletPress, {30, 30});
+    int i = 0;
+    for (auto _ : state) sendPen(QEvent::TabletMove, alongWave(i++));
+    window->tools().cancelGesture();
+    QApplication::processEvents();
+}
+BENCHMARK(penSample)->Arg(0)->Arg(200)->Unit(benchmark::kMicrosecond)->Iterations(20000);
+
+/// A whole frame in this process while a stroke grows by three samples a frame, without the reading
+/// (it has its own pace and benchmark); paint_ms is the share of the viewport.
+void frameWhileDrawing(benchmark::State& state) {
+    addStrokes(static_cast<int>(state.range(0)));
+    window->reading().refreshNow();
+    sendPen(QEvent::TabletPress, {30, 30});
+    window->viewport().repaint();
+    int i = 0;
+    double paint = 0.0;
+    for (auto _ : state) {
+        for (int k = 0; k < 3; ++k) sendPen(QEvent::TabletMove, alongWave(i++));
+        window->viewport().repaint();
+        paint += window->viewport().lastFrameMs();
+    }
+    state.counters["paint_ms"] = benchmark::Counter(paint, benchmark::Counter::kAvgIterations);
+    window->tools().cancelGesture();
+    QApplication::processEvents();
+}
+BENCHMARK(frameWhileDrawing)
+    ->Arg(0)
+    ->Arg(12)
+    ->Arg(200)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(200);
+
+/// Every frame turns the view: scene, ink and overlays are all drawn anew.
+void frameWhileOrbiting(benchmark::State& state) {
+    addStrokes(static_cast<int>(state.range(0)));
+    window->reading().refreshNow();
+    const ew::OrthographicCamera start = window->document().camera();
+    int i = 0;
+    for (auto _ : state) {
+        ew::OrthographicCamera camera = start;
+        camera.center.x() += 0.25 * (++i % 50);
+        (void)window->document().setCamera(camera);
+        window->viewport().repaint();
+    }
+    (void)window->document().setCamera(start);
+}
+BENCHMARK(frameWhileOrbiting)
+    ->Arg(0)
+    ->Arg(12)
+    ->Arg(200)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(100);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QStandardPaths::setTestModeEnabled(true);
+    ew::prepareApplication();
+    QApplication application(argc, argv);
+    ew::nameApplication();
+    benchmark::Initialize(&argc, argv);
+    const auto load = ew::loadTemplates();
+    if (!load) {
+        std::fprintf(stderr, "%s\n", load.error().message.c_str());
+        return 2;
+    }
+    appearance = std::make_unique<ew::Appearance>();
+    window = std::make_unique<ew::MainWindow>(load->library, *appearance,
+                                              ew::MainWindowOptions{.remember = false});
+    window->applyController().setAutomatic(false);
+    window->resize(1360, 860);
+    window->show();
+    if (!QTest::qWaitForWindowExposed(window.get())) return 2;
+    QApplication::processEvents();
+    benchmark::RunSpecifiedBenchmarks();
+    window->document().clearStrokes();
+    window.reset();
+    appearance.reset();
+    return 0;
+}

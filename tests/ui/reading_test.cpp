@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window makes of a reading: panels, choosing, applying by itself, repairs.
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <QUndoStack>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/apply_controller.h"
+#include "ui/live_reading.h"
+#include "ui/panels/message_bar.h"
+#include "ui/tools/tool_box.h"
+
+namespace ew::test {
+
+class Reading : public WindowTest {
+  protected:
+    template <class T>
+    T& child(const char* name) {
+        T* found = window_->findChild<T*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return *found;
+    }
+    const Interpretation& reading() { return window_->reading().reading(); }
+
+    /// The box, with the end of its first line short of the corner by some px.
+    std::vector<std::array<Vec2, 2>> boxWithGap(double gapPx) {
+        auto lines = boxLines();
+        // A line of the outline, pulled back from its end.
+        auto& line = lines[4];
+        line[1] -= gapPx * (line[1] - line[0]).normalized();
+        return lines;
+    }
+};
+
+TEST_F(Reading, ClearDrawingIsAcceptedAndShownInThePanels) {
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(reading().accepted) << (reading().problem ? reading().problem->message : "");
+    EXPECT_EQ(reading().candidates[static_cast<std::size_t>(*reading().accepted)].templateId,
+              "cube");
+    EXPECT_EQ(reading().graph.edges.size(), 9U);
+    EXPECT_EQ(child<QLabel>("graphHeading").text().toStdString(), "Cube");
+    EXPECT_TRUE(child<QPushButton>("applyButton").isEnabled());
+    EXPECT_TRUE(child<QAbstractButton>("candidate1").isVisible());
+}
+
+TEST_F(Reading, TheStrokeUnderWayIsReadBeforeThePenIsUp) {
+    auto lines = boxLines();
+    const auto last = lines.back();
+    lines.pop_back();
+    drawLines(Hand::Pen, lines);
+    EXPECT_FALSE(reading().accepted && reading().graph.edges.size() == 9U);
+    press(Hand::Pen, last[0]);
+    for (int i = 1; i <= 20; ++i) move(Hand::Pen, last[0] + (last[1] - last[0]) * (i / 20.0));
+    settle();
+    EXPECT_TRUE(window_->tools().gestureUnderWay());
+    EXPECT_EQ(document().pendingStrokes().size(), 8U);
+    EXPECT_EQ(reading().graph.edges.size(), 9U);
+    EXPECT_TRUE(reading().accepted.has_value());
+    release(Hand::Pen, last[1]);
+}
+
+TEST_F(Reading, ThresholdSliderReadsAnewAtOnce) {
+    drawLines(Hand::Mouse, boxWithGap(24.0));
+    window_->reading().settleNow();
+    ASSERT_FALSE(reading().accepted);
+    ASSERT_TRUE(reading().problem);
+    EXPECT_FALSE(reading().problem->message.empty());
+    QSlider& slider = child<QSlider>("distanceSlider");
+    slider.setFocus();
+    slider.setValue(2 * 32);  // steps of half a pixel
+    EXPECT_EQ(document().thresholds().distancePx, 32.0);
+    EXPECT_EQ(child<QDoubleSpinBox>("distanceNumber").value(), 32.0);
+    settle();
+    EXPECT_TRUE(reading().accepted.has_value());
+    EXPECT_EQ(document().pendingStrokes().size(), 9U);
+}
+
+TEST_F(Reading, NumbersGoToTheDocumentAndComeBack) {
+    child<QDoubleSpinBox>("angleNumber").setValue(20.0);
+    EXPECT_EQ(document().thresholds().angleDeg, 20.0);
+    EXPECT_EQ(child<QSlider>("angleSlider").value(), 40);
+    ASSERT_TRUE(document().setThresholds({21.5, 7.0}));
+    EXPECT_EQ(child<QDoubleSpinBox>("distanceNumber").value(), 21.5);
+    EXPECT_EQ(child<QSlider>("angleSlider").value(), 14);
+}
+
+TEST_F(Reading, AnOpenEndIsSaidAndOneClickRepairsIt) {
+    drawLines(Hand::Mouse, boxWithGap(24.0));
+    window_->reading().settleNow();
+    ASSERT_TRUE(reading().problem);
+    EXPECT_EQ(window_->messages().text().toStdString(), reading().problem->message);
+    EXPECT_FALSE(reading().culprits.empty());
+    ASSERT_FALSE(reading().repairs.empty());
+    QPushButton& button = child<QPushButton>("repair1");
+    EXPECT_EQ(button.text().toStdString(), reading().repairs.front().label);
+    button.click();
+    settle();
+    EXPECT_TRUE(reading().accepted.has_value());
+}
+
+TEST_F(Reading, EnterWithNothingDrawnSaysSoAndChangesNothing) {
+    key(Qt::Key_Return);
+    EXPECT_TRUE(document().state().bodies.empty());
+    EXPECT_EQ(document().undoStack().count(), 0);
+    EXPECT_FALSE(window_->messages().text().isEmpty());
+}
+
+TEST_F(Reading, EnterOnAnUnreadableDrawingKeepsTheInk) {
+    drawLine(Hand::Mouse, {100, 100}, {300, 130});
+    key(Qt::Key_Return);
+    EXPECT_TRUE(document().state().bodies.empty());
+    EXPECT_EQ(document().pendingStrokes().size(), 1U);
+    EXPECT_FALSE(window_->messages().text().isEmpty());
+}
+
+TEST_F(Reading, KeysChooseAReadingAndEnterTakesIt) {
+    drawLines(Hand::Mouse, boxLines());
+    const auto count = reading().candidates.size();
+    ASSERT_GE(count, 2U) << "a box has its oblique reading too";
+    key(Qt::Key_2);
+    EXPECT_EQ(window_->reading().current(), 1);
+    EXPECT_TRUE(child<QAbstractButton>("candidate2").isChecked());
+    EXPECT_TRUE(document().state().bodies.empty()) << "choosing is not applying";
+    key(Qt::Key_9);
+    EXPECT_EQ(window_->reading().current(), count >= 9 ? 8 : 1);
+    key(Qt::Key_2);
+    key(Qt::Key_Return);
+    ASSERT_EQ(document().state().bodies.size(), 1U);
+    ASSERT_NE(document().lastApply(), nullptr);
+    EXPECT_EQ(document().lastApply()->chosen, 1);
+}
+
+TEST_F(Reading, AfterApplyingTheOtherReadingsAreOneKeyAway) {
+    drawLines(Hand::Mouse, boxLines());
+    key(Qt::Key_Return);
+    ASSERT_NE(document().lastApply(), nullptr);
+    const int first = document().lastApply()->chosen;
+    ASSERT_GE(document().lastApply()->interpretation.candidates.size(), 2U);
+    const double before = document().state().bodies[0].solid.volume();
+    key(first == 0 ? Qt::Key_2 : Qt::Key_1);
+    ASSERT_EQ(document().state().bodies.size(), 1U);
+    EXPECT_NE(document().lastApply()->chosen, first);
+    EXPECT_NE(document().state().bodies[0].solid.volume(), before);
+    EXPECT_EQ(document().undoStack().count(), 1) << "the reading is replaced, not added";
+    drawLine(Hand::Mouse, {60, 60}, {120, 60});
+    EXPECT_FALSE(window_->applyController().showsApplied());
+}
+
+TEST_F(Reading, AppliesByItselfOnlyWhenOnAndClear) {
+    ApplyController& apply = window_->applyController();
+    QCheckBox& box = child<QCheckBox>("automatic");
+    drawLines(Hand::Mouse, boxLines());
+    EXPECT_FALSE(apply.waiting()) << "it is off";
+    document().clearStrokes();
+    box.click();
+    EXPECT_TRUE(apply.automatic());
+    apply.setBusyTest([] { return false; });
+    auto lines = boxLines();
+    lines.pop_back();
+    lines.pop_back();
+    drawLines(Hand::Mouse, lines);
+    EXPECT_FALSE(apply.waiting()) << "two edges are missing";
+    document().clearStrokes();
+    drawLines(Hand::Mouse, boxLines());
+    EXPECT_TRUE(apply.waiting());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 10000));
+    EXPECT_FALSE(apply.waiting());
+    // Taken back is not taken again.
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().pendingStrokes().size(), 9U);
+    EXPECT_FALSE(apply.waiting());
+}
+
+TEST_F(Reading, ApplyingByItselfWaitsForEscapePenAndPanels) {
+    ApplyController& apply = window_->applyController();
+    apply.setAutomatic(true);
+    bool inUse = true;
+    apply.setBusyTest([&] { return inUse; });
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(apply.waiting());
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(apply.waiting());
+    document().clearStrokes();
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(apply.waiting());
+    press(Hand::Mouse, {60, 60});
+    move(Hand::Mouse, {70, 60});
+    settle();
+    EXPECT_FALSE(apply.waiting()) << "someone draws";
+    key(Qt::Key_Escape);
+    release(Hand::Mouse, {70, 60});
+    document().clearStrokes();
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(apply.waiting());
+    bool asked = false;
+    apply.setBusyTest([&] { return std::exchange(asked, true), inUse; });
+    EXPECT_TRUE(QTest::qWaitFor([&] { return asked; }, 10000));
+    EXPECT_TRUE(document().state().bodies.empty()) << "a panel is in use";
+    inUse = false;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 10000));
+}
+
+TEST_F(Reading, HistoryGoesToTheStepThatIsClicked) {
+    drawLines(Hand::Mouse, boxLines());
+    key(Qt::Key_Return);
+    QListWidget& list = child<QListWidget>("historyList");
+    ASSERT_EQ(list.count(), 2);
+    EXPECT_EQ(list.currentRow(), 1);
+    EXPECT_EQ(list.item(1)->text().toStdString(), "Create cube");
+    list.setCurrentRow(0);
+    EXPECT_TRUE(document().state().bodies.empty());
+    list.setCurrentRow(1);
+    EXPECT_EQ(document().state().bodies.size(), 1U);
+}
+
+TEST_F(Reading, TemplateListShowsWhatIsInUse) {
+    const QListWidget& list = child<QListWidget>("templateList");
+    EXPECT_EQ(static_cast<std::size_t>(list.count()), document().state().library.size());
+    drawLines(Hand::Mouse, boxLines());
+    key(Qt::Key_Return);
+    ASSERT_TRUE(document().defineTemplateFromSolid("my-box", "My box"));
+    ASSERT_GT(list.count(), 0);
+    EXPECT_EQ(list.item(list.count() - 1)->text().toStdString(), "My box");
+}
+
+}  // namespace ew::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/sketch_actions.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "ui/apply_controller.h"
+#include "ui/dialogs/template_dialog.h"
+#include "ui/live_reading.h"
+#include "ui/panels/message_bar.h"
+#include "ui/theme/themed_icon.h"
+
+namespace ew {
+
+SketchActions::SketchActions(const WindowContext& context, QWidget* window)
+    : QObject(window),
+      applyAction(new QAction(themedIcon("apply"), tr("&Apply"), this)),
+      automaticAction(
+          new QAction(themedIcon("automatic"), tr("Apply by &itself when clear"), this)),
+      context_(context),
+      window_(window),
+      templateAction_(
+          new QAction(themedIcon("add-template"), tr("Add solid as &template\u2026"), this)) {
+    applyAction->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
+    applyAction->setToolTip(tr("Make a solid of the drawing (Enter)"));
+    automaticAction->setCheckable(true);
+    automaticAction->setChecked(context_.apply.automatic());
+    automaticAction->setShortcut(QKeySequence(QStringLiteral("A")));
+    automaticAction->setToolTip(
+        tr("Make a solid without asking when one reading is clearly the best (A)"));
+    connect(applyAction, &QAction::triggered, &context_.apply, &ApplyController::apply);
+    connect(automaticAction, &QAction::toggled, &context_.apply, &ApplyController::setAutomatic);
+    connect(&context_.apply, &ApplyController::automaticChanged, automaticAction,
+            &QAction::setChecked);
+    connect(templateAction_, &QAction::triggered, this, &SketchActions::addTemplate);
+    for (int i = 0; i < 9; ++i) {
+        auto* action = new QAction(tr("Reading &%1").arg(i + 1), this);
+        action->setShortcut(QKeySequence(QString::number(i + 1)));
+        connect(action, &QAction::triggered, this, [this, i] { context_.apply.pick(i); });
+        readingActions.append(action);
+    }
+    // Shortcuts work without their menu having been opened.
+    window->addActions(readingActions);
+    connect(&context_.apply, &ApplyController::changed, this, &SketchActions::refresh);
+    connect(&context_.document, &Document::changed, this, [this](DocumentChange what) {
+        if (what == DocumentChange::Bodies) refresh();
+    });
+    refresh();
+}
+
+void SketchActions::fill(QMenu* menu) {
+    menu->addAction(applyAction);
+    menu->addAction(automaticAction);
+    menu->addSeparator();
+    menu->addActions(readingActions);
+    menu->addSeparator();
+    menu->addAction(templateAction_);
+}
+
+void SketchActions::refresh() {
+    const auto& candidates = context_.apply.shown().candidates;
+    for (int i = 0; i < readingActions.size(); ++i) {
+        const bool there = static_cast<std::size_t>(i) < candidates.size();
+        QAction* action = readingActions[i];
+        action->setVisible(there || i == 0);
+        action->setEnabled(there);
+        if (!there) {
+            action->setText(tr("Reading &%1").arg(i + 1));
+            continue;
+        }
+        const Candidate& c = candidates[static_cast<std::size_t>(i)];
+        const QString name = QString::fromStdString(c.templateName);
+        const QString reading = QString::fromStdString(c.readingName);
+        action->setText(reading.isEmpty()
+                            ? tr("Reading &%1: %2").arg(i + 1).arg(name)
+                            : tr("Reading &%1: %2, %3").arg(i + 1).arg(name, reading));
+    }
+    templateAction_->setEnabled(!context_.document.state().bodies.empty());
+}
+
+void SketchActions::addTemplate() {
+    TemplateDialog dialog(context_.document.state().library, window_);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString name = dialog.name();
+    const auto added =
+        context_.document.defineTemplateFromSolid(dialog.id().toStdString(), name.toStdString());
+    if (added) {
+        context_.messages.showNotice(tr("%1 can be drawn from now on.").arg(name));
+    } else {
+        context_.messages.showError(added.error());
+    }
+}
+
+}  // namespace ew

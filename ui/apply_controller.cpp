@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/apply_controller.h"
+
+#include "ui/live_reading.h"
+
+namespace ew {
+
+namespace {
+// A panel is in use: look again after this [ms].
+constexpr int kLookAgainMs = 300;
+}  // namespace
+
+ApplyController::ApplyController(Document& document, LiveReading& reading, QObject* parent)
+    : QObject(parent), document_(document), reading_(reading) {
+    wait_.setSingleShot(true);
+    connect(&wait_, &QTimer::timeout, this, &ApplyController::onWaitOver);
+    connect(&reading_, &LiveReading::changed, this, &ApplyController::onReadingChanged);
+    connect(&document_, &Document::changed, this, [this](DocumentChange what) {
+        // Undo, clearing and the like are thoughts, not strokes: only the pen starts a wait.
+        if (what == DocumentChange::Ink || what == DocumentChange::History) hold();
+    });
+}
+
+bool ApplyController::showsApplied() const {
+    return document_.pendingStrokes().empty() && !reading_.strokeUnderWay() &&
+           document_.lastApply() != nullptr;
+}
+
+const Interpretation& ApplyController::shown() const {
+    return showsApplied() ? document_.lastApply()->interpretation : reading_.reading();
+}
+
+int ApplyController::shownCurrent() const {
+    return showsApplied() ? document_.lastApply()->chosen : reading_.current();
+}
+
+void ApplyController::apply() {
+    hold();
+    if (document_.pendingStrokes().empty() && showsApplied()) return;
+    reading_.refreshNow();
+    reading_.settleNow();
+    ApplyRequest request;
+    if (reading_.current() >= 0) request.candidate = reading_.current();
+    const auto outcome = document_.apply(request);
+    if (outcome) {
+        emit applied(*outcome);
+    } else {
+        emit failed(outcome.error());
+    }
+}
+
+void ApplyController::pick(int candidate) {
+    hold();
+    if (candidate < 0 || candidate >= static_cast<int>(shown().candidates.size())) return;
+    if (!showsApplied()) {
+        reading_.choose(candidate);
+        return;
+    }
+    const auto outcome = document_.chooseReading(candidate);
+    if (outcome) {
+        emit applied(*outcome);
+    } else {
+        emit failed(outcome.error());
+    }
+}
+
+void ApplyController::setObliqueFactor(double k, bool done) {
+    hold();
+    document_.setObliqueFactor(k);
+    if (!done || !showsApplied()) return;
+    const ApplyOutcome* last = document_.lastApply();
+    if (last->chosen < 0) return;
+    const Candidate& c = last->interpretation.candidates[static_cast<std::size_t>(last->chosen)];
+    if (c.depth == DepthRule::Oblique) pick(last->chosen);
+}
+
+void ApplyController::setAutomatic(bool on) {
+    if (on == automatic_) return;
+    automatic_ = on;
+    if (!on) hold();
+    emit automaticChanged(on);
+}
+
+void ApplyController::inkDone() {
+    hold();
+    if (!automatic_) return;
+    reading_.refreshNow();
+    if (!clear()) return;
+    wait_.start(kWaitMs);
+    emit waitingChanged(true);
+}
+
+void ApplyController::hold() {
+    if (!wait_.isActive()) return;
+    wait_.stop();
+    emit waitingChanged(false);
+}
+
+bool ApplyController::clear() const {
+    return !document_.pendingStrokes().empty() && !reading_.strokeUnderWay() &&
+           reading_.reading().accepted.has_value() && reading_.chosen() < 0;
+}
+
+void ApplyController::onReadingChanged() {
+    if (wait_.isActive() && !clear()) hold();
+    emit changed();
+}
+
+void ApplyController::onWaitOver() {
+    if (busy_ && busy_()) {
+        wait_.start(kLookAgainMs);
+        return;
+    }
+    emit waitingChanged(false);
+    if (clear()) apply();
+}
+
+}  // namespace ew

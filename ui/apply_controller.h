@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+
+#include "core/document/document.h"
+
+namespace ew {
+
+class LiveReading;
+
+/// Turns what was read into a solid: by Enter, by choosing, or by itself when the best reading is
+/// clear and nobody draws. After a solid was made, the other readings stay one key away until the
+/// next stroke.
+class ApplyController : public QObject {
+    Q_OBJECT
+
+  public:
+    ApplyController(Document& document, LiveReading& reading, QObject* parent = nullptr);
+
+    /// What the candidates panel shows: the reading of the ink, or, with no ink, of the newest
+    /// solid.
+    const Interpretation& shown() const;
+    /// The candidate of shown() that is chosen or applied, -1 where there is none.
+    int shownCurrent() const;
+    /// True where shown() speaks of a solid that was made.
+    bool showsApplied() const;
+
+    /// Enter: the chosen candidate, else the best. Also says why where there is none.
+    void apply();
+    /// Chooses a candidate of shown(); of an applied reading, the solid is replaced at once.
+    void pick(int candidate);
+    /// k of the oblique reading; an applied oblique solid follows when `done`.
+    void setObliqueFactor(double k, bool done);
+
+    bool automatic() const { return automatic_; }
+    void setAutomatic(bool on);
+    /// Automatic waits while this says true (a panel is being used).
+    void setBusyTest(std::function<bool()> busy) { busy_ = std::move(busy); }
+    /// The pen is up after it changed the ink: the wait begins.
+    void inkDone();
+    /// Stops the wait.
+    void hold();
+    bool waiting() const { return wait_.isActive(); }
+
+    /// From pen-up to applying by itself [ms].
+    static constexpr int kWaitMs = 900;
+
+  signals:
+    /// What shown() or shownCurrent() says.
+    void changed();
+    void automaticChanged(bool on);
+    /// A wait began or ended.
+    void waitingChanged(bool waiting);
+    void applied(const ew::ApplyOutcome& outcome);
+    void failed(const ew::Error& error);
+
+  private:
+    void onWaitOver();
+    void onReadingChanged();
+    bool clear() const;
+
+    Document& document_;
+    LiveReading& reading_;
+    QTimer wait_;
+    std::function<bool()> busy_;
+    bool automatic_ = true;
+};
+
+}  // namespace ew

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/help_dialog.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/theme/colours.h"
+
+namespace ew {
+
+namespace {
+
+struct Help {
+    Q_DECLARE_TR_FUNCTIONS(Help)
+};
+
+void showText(QWidget* window, const QString& name, const QString& title, const QString& html,
+              const QSize& size) {
+    if (auto* open = window->findChild<QDialog*>(name)) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
+    auto* dialog = new QDialog(window);
+    dialog->setObjectName(name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->setSpacing(metrics::kMargin);
+    auto* text = new QTextBrowser(dialog);
+    text->setFrameShape(QFrame::NoFrame);
+    text->document()->setDocumentMargin(metrics::kMargin);
+    text->setHtml(html);
+    text->setAccessibleName(title);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+    layout->addWidget(text);
+    layout->addWidget(buttons);
+    dialog->resize(size);
+    dialog->show();
+}
+
+QString rows(const QList<QPair<QString, QString>>& entries) {
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='4'>");
+    for (const auto& [what, how] : entries) {
+        html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                    .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+void collect(const QMenu* menu, QList<QPair<QString, QString>>& entries) {
+    for (const QAction* action : menu->actions()) {
+        if (action->menu() != nullptr) {
+            collect(action->menu(), entries);
+        } else if (!action->shortcut().isEmpty()) {
+            QString name = action->text();
+            name.remove('&');
+            QStringList keys;
+            for (const QKeySequence& key : action->shortcuts()) {
+                keys << key.toString(QKeySequence::NativeText);
+            }
+            entries.append({keys.join(QStringLiteral(", ")), name});
+        }
+    }
+}
+
+}  // namespace
+
+void showQuickHelp(QWidget* window) {
+    const QString tour =
+        QStringLiteral(
+            "<h3>%1</h3><ol><li>%2</li><li>%3</li><li>%4</li><li>%5</li><li>%6</li></ol>")
+            .arg(
+                Help::tr("In five lines"),
+                Help::tr(
+                    "Draw the edges that you would see of a box, in any order; one stroke may draw "
+                    "several edges."),
+                Help::tr("The Edge Graph panel shows lines and corners as they are read; the "
+                         "drawing shows a "
+                         "faint preview."),
+                Help::tr("Lift the pen. When the reading is clear it becomes a solid; Enter does "
+                         "it at once."),
+                Help::tr("Keys 1 to 9 take another reading, also afterwards."),
+                Help::tr(
+                    "If something does not meet, it is marked, with a button that repairs it."));
+    const QString gestures =
+        QStringLiteral("<h3>%1</h3>").arg(Help::tr("Pen and mouse")) +
+        rows(
+            {{Help::tr("Draw"), Help::tr("pen tip, or left button")},
+             {Help::tr("Erase a stroke"),
+              Help::tr("eraser end of the pen, or the eraser tool (E)")},
+             {Help::tr("Cancel a stroke"), Help::tr("Escape while drawing")},
+             {Help::tr("Orbit"),
+              Help::tr("right or middle button, Alt with left, pen's side button")},
+             {Help::tr("Move the view"), Help::tr("Shift with the middle button, Space with left")},
+             {Help::tr("Zoom"), Help::tr("wheel, or two fingers")},
+             {Help::tr("Undo"),
+              Help::tr("Ctrl+Z: the newest stroke first, then the newest step")}});
+    showText(window, QStringLiteral("quickHelp"), Help::tr("Quick help"), tour + gestures,
+             {560, 540});
+}
+
+void showShortcuts(QWidget* window, const QList<QAction*>& menus) {
+    QString html;
+    for (const QAction* top : menus) {
+        if (top->menu() == nullptr) continue;
+        QList<QPair<QString, QString>> entries;
+        collect(top->menu(), entries);
+        if (entries.isEmpty()) continue;
+        QString name = top->text();
+        html += QStringLiteral("<h3>%1</h3>").arg(name.remove('&').toHtmlEscaped()) + rows(entries);
+    }
+    showText(window, QStringLiteral("shortcuts"), Help::tr("Keyboard shortcuts"), html, {460, 600});
+}
+
+void showAbout(QWidget* window) {
+    QMessageBox box(window);
+    box.setWindowTitle(Help::tr("About Edgewright"));
+    box.setIconPixmap(QIcon(QStringLiteral(":/icons/edgewright.svg")).pixmap(72, 72));
+    box.setText(QStringLiteral("<h3>Edgewright %1</h3>").arg(QStringLiteral(EDGEWRIGHT_VERSION)));
+    box.setInformativeText(Help::tr(
+        "Turns pen strokes into solids, step by step, with a topology library.\n\n"
+        "Free software under the GNU General Public License, version 3 or later, without any "
+        "warranty. Uses Qt, VTK, OpenMesh, CGAL and Eigen."));
+    box.exec();
+}
+
+}  // namespace ew

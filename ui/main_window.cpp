@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/document/document.h"
+#include "ui/actions/edit_actions.h"
+#include "ui/actions/file_actions.h"
+#include "ui/actions/sketch_actions.h"
+#include "ui/actions/view_actions.h"
+#include "ui/apply_controller.h"
+#include "ui/dialogs/help_dialog.h"
+#include "ui/live_reading.h"
+#include "ui/panels/candidate_panel.h"
+#include "ui/panels/graph_panel.h"
+#include "ui/panels/history_panel.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/template_panel.h"
+#include "ui/panels/threshold_panel.h"
+#include "ui/theme/appearance.h"
+#include "ui/tools/tool_box.h"
+#include "ui/viewport/viewport_widget.h"
+
+namespace ew {
+
+namespace {
+// Counts up when the panels are arranged in a new way, so that an old arrangement is not restored.
+constexpr int kLayoutVersion = 1;
+}  // namespace
+
+MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options,
+                       QWidget* parent)
+    : QMainWindow(parent),
+      appearance_(appearance),
+      options_(std::move(options)),
+      document_(std::make_unique<Document>(std::move(library))) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    reading_ = new LiveReading(*document_, this);
+    apply_ = new ApplyController(*document_, *reading_, this);
+    apply_->setBusyTest([this] { return panelInUse(); });
+    buildCentre();
+    buildActions();
+    buildPanels();
+    buildToolBar();
+    connect(document_.get(), &Document::changed, this, [this](DocumentChange what) {
+        if (what == DocumentChange::File) refreshTitle();
+    });
+    refreshTitle();
+    resize(1360, 860);
+    restore();
+    viewport_->setFocus();
+}
+
+// The viewport releases its OpenGL context while the document still lives.
+MainWindow::~MainWindow() {
+    delete tools_;
+    delete takeCentralWidget();
+}
+
+void MainWindow::buildCentre() {
+    auto* centre = new QWidget(this);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    viewport_ = new ViewportWidget(*document_, *reading_, appearance_, centre);
+    messages_ = new MessageBar(*document_, *reading_, *apply_, appearance_, centre);
+    layout->addWidget(viewport_, 1);
+    layout->addWidget(messages_);
+    setCentralWidget(centre);
+    ToolContext context{*document_, *reading_, *viewport_,
+                        [this](const Error& error) { messages_->showError(error); },
+                        [this] { apply_->inkDone(); }};
+    tools_ = new ToolBox(context, this);
+}
+
+void MainWindow::buildActions() {
+    const WindowContext context{*document_, *reading_,  *apply_,    *tools_,
+                                *viewport_, *messages_, appearance_};
+    files_ = new FileActions(context, this);
+    edits_ = new EditActions(context, this);
+    views_ = new ViewActions(context, this);
+    sketches_ = new SketchActions(context, this);
+    files_->fill(menuBar()->addMenu(tr("&File")));
+    edits_->fill(menuBar()->addMenu(tr("&Edit")));
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    views_->fill(view);
+    sketches_->fill(menuBar()->addMenu(tr("&Sketch")));
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    QAction* quick = help->addAction(tr("&Quick help"), this, [this] { showQuickHelp(this); });
+    quick->setShortcut(QKeySequence::HelpContents);
+    help->addAction(tr("&Keyboard shortcuts"), this,
+                    [this] { showShortcuts(this, menuBar()->actions()); });
+    help->addSeparator();
+    help->addAction(tr("&About Edgewright"), this, [this] { showAbout(this); });
+    QMenu* panels = new QMenu(tr("&Panels"), view);
+    view->addMenu(panels);
+    connect(panels, &QMenu::aboutToShow, this, [this, panels] {
+        panels->clear();
+        for (QDockWidget* panel : panels_) panels->addAction(panel->toggleViewAction());
+    });
+}
+
+QDockWidget* MainWindow::addPanel(const QString& title, const QString& name, QWidget* content,
+                                  Qt::DockWidgetArea area) {
+    auto* panel = new QDockWidget(title, this);
+    panel->setObjectName(name);
+    panel->setWidget(content);
+    addDockWidget(area, panel);
+    panels_.append(panel);
+    return panel;
+}
+
+void MainWindow::buildPanels() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    addPanel(tr("Edge Graph"), QStringLiteral("graphPanel"),
+             new GraphPanel(*reading_, appearance_, this), Qt::RightDockWidgetArea);
+    addPanel(tr("Readings"), QStringLiteral("candidatePanel"),
+             new CandidatePanel(*document_, *reading_, *apply_, appearance_, this),
+             Qt::RightDockWidgetArea);
+    addPanel(tr("Thresholds"), QStringLiteral("thresholdPanel"),
+             new ThresholdPanel(*document_, this), Qt::RightDockWidgetArea);
+    auto* templates = new TemplatePanel(*document_, appearance_, this);
+    connect(templates, &TemplatePanel::addSolidRequested, sketches_, &SketchActions::addTemplate);
+    addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), templates, Qt::LeftDockWidgetArea);
+    addPanel(tr("History"), QStringLiteral("historyPanel"), new HistoryPanel(*document_, this),
+             Qt::LeftDockWidgetArea);
+    arrangePanels();
+}
+
+void MainWindow::arrangePanels() {
+    resizeDocks({panels_[0], panels_[1], panels_[2]}, {240, 380, 110}, Qt::Vertical);
+    resizeDocks({panels_[0]}, {308}, Qt::Horizontal);
+    resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
+    resizeDocks({panels_[3]}, {228}, Qt::Horizontal);
+}
+
+void MainWindow::buildToolBar() {
+    toolBar_ = addToolBar(tr("Tools"));
+    toolBar_->setObjectName(QStringLiteral("toolBar"));
+    toolBar_->setMovable(false);
+    toolBar_->setIconSize({22, 22});
+    toolBar_->addActions(
+        {files_->newAction, files_->openAction, files_->saveAction, files_->exportAction});
+    toolBar_->addSeparator();
+    toolBar_->addActions({edits_->undoAction, edits_->redoAction});
+    toolBar_->addSeparator();
+    toolBar_->addActions(edits_->toolActions);
+    toolBar_->addSeparator();
+    toolBar_->addActions({sketches_->applyAction, sketches_->automaticAction, edits_->clearAction});
+    toolBar_->addSeparator();
+    const auto view = [this](StandardView v) {
+        return views_->viewActions[static_cast<std::size_t>(v)];
+    };
+    toolBar_->addActions({view(StandardView::Home), view(StandardView::Front),
+                          view(StandardView::Right), view(StandardView::Top), views_->fitAction});
+    toolBar_->addSeparator();
+    toolBar_->addActions({views_->gridAction, views_->hiddenAction, views_->readingAction});
+}
+
+bool MainWindow::panelInUse() const {
+    if (QApplication::activePopupWidget() != nullptr ||
+        QApplication::activeModalWidget() != nullptr) {
+        return true;
+    }
+    if (QApplication::mouseButtons() != Qt::NoButton) return true;
+    return std::any_of(panels_.begin(), panels_.end(), [](const QDockWidget* panel) {
+        return panel->isVisible() && panel->underMouse();
+    });
+}
+
+void MainWindow::refreshTitle() {
+    const QString path = document_->filePath();
+    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).completeBaseName();
+    setWindowTitle(tr("%1[*] \u2013 Edgewright").arg(name));
+    setWindowModified(document_->isModified());
+}
+
+void MainWindow::restore() {
+    if (!options_.remember) return;
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    apply_->setAutomatic(settings.value(QStringLiteral("sketch/automatic"), true).toBool());
+    views_->gridAction->setChecked(settings.value(QStringLiteral("view/grid"), true).toBool());
+    views_->hiddenAction->setChecked(settings.value(QStringLiteral("view/hidden"), false).toBool());
+    views_->readingAction->setChecked(
+        settings.value(QStringLiteral("view/reading"), true).toBool());
+}
+
+void MainWindow::remember() const {
+    if (!options_.remember) return;
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("window/theme"), Appearance::modeName(appearance_.mode()));
+    settings.setValue(QStringLiteral("sketch/automatic"), apply_->automatic());
+    settings.setValue(QStringLiteral("view/grid"), views_->gridAction->isChecked());
+    settings.setValue(QStringLiteral("view/hidden"), views_->hiddenAction->isChecked());
+    settings.setValue(QStringLiteral("view/reading"), views_->readingAction->isChecked());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    remember();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+    event->acceptProposedAction();
+    if (files_->mayDiscard()) files_->openPath(urls.front().toLocalFile());
+}
+
+}  // namespace ew

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "core/tlib/library.h"
+
+class QDockWidget;
+class QToolBar;
+
+namespace ew {
+
+class Appearance;
+class ApplyController;
+class Document;
+class EditActions;
+class FileActions;
+class LiveReading;
+class MessageBar;
+class SketchActions;
+class ToolBox;
+class ViewActions;
+class ViewportWidget;
+
+struct MainWindowOptions {
+    bool remember = true;  ///< size, panels, theme and switches, over runs
+};
+
+/// The window: viewport and message bar in the middle, panels round it. It makes the parts and
+/// puts them together; what they do is in their own files.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    /// \param library     the templates in use.
+    /// \param appearance  outlives the window.
+    MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options = {},
+               QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Document& document() { return *document_; }
+    LiveReading& reading() { return *reading_; }
+    ApplyController& applyController() { return *apply_; }
+    ToolBox& tools() { return *tools_; }
+    ViewportWidget& viewport() { return *viewport_; }
+    MessageBar& messages() { return *messages_; }
+    FileActions& files() { return *files_; }
+    ViewActions& views() { return *views_; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void buildCentre();
+    void buildActions();
+    void buildPanels();
+    void buildToolBar();
+    QDockWidget* addPanel(const QString& title, const QString& name, QWidget* content,
+                          Qt::DockWidgetArea area);
+    void arrangePanels();
+    bool panelInUse() const;
+    void refreshTitle();
+    void restore();
+    void remember() const;
+
+    Appearance& appearance_;
+    MainWindowOptions options_;
+    std::unique_ptr<Document> document_;
+    LiveReading* reading_ = nullptr;
+    ApplyController* apply_ = nullptr;
+    ViewportWidget* viewport_ = nullptr;
+    MessageBar* messages_ = nullptr;
+    ToolBox* tools_ = nullptr;
+    FileActions* files_ = nullptr;
+    EditActions* edits_ = nullptr;
+    ViewActions* views_ = nullptr;
+    SketchActions* sketches_ = nullptr;
+    QToolBar* toolBar_ = nullptr;
+    QList<QDockWidget*> panels_;
+};
+
+}  // namespace ew

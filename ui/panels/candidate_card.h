@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QImage>
+
+#include "core/modeling/interpretation.h"
+
+namespace ew {
+
+class Appearance;
+
+/// One candidate: its number, a picture from where the sketch was drawn, name, reading, fit and
+/// what was assumed.
+class CandidateCard : public QAbstractButton {
+    Q_OBJECT
+
+  public:
+    CandidateCard(int index, Appearance& appearance, QWidget* parent = nullptr);
+
+    void show(const Candidate& candidate, const OrthographicCamera& camera, bool clear);
+    QSize sizeHint() const override { return {260, 92}; }
+    QSize minimumSizeHint() const override { return {200, 92}; }
+
+  signals:
+    void doubleClicked();
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+  private:
+    void redraw();
+
+    int index_;
+    Appearance& appearance_;
+    Candidate candidate_;
+    OrthographicCamera camera_;
+    bool clear_ = false;
+    bool hovered_ = false;
+    QImage picture_;
+};
+
+/// "add", "cut" for people; empty for creating.
+QString operationText(Operation operation);
+
+}  // namespace ew

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/graph_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/live_reading.h"
+#include "ui/panels/graph_view.h"
+#include "ui/theme/colours.h"
+
+namespace ew {
+
+QString aspectText(const std::string& aspect) {
+    const QString text = QString::fromStdString(aspect);
+    if (text.startsWith(QLatin1String("explicit-"))) {
+        bool ok = false;
+        const int faces = text.mid(9).toInt(&ok);
+        if (ok) return GraphPanel::tr("%n face(s) seen", nullptr, faces);
+    }
+    return text;
+}
+
+GraphPanel::GraphPanel(LiveReading& reading, Appearance& appearance, QWidget* parent)
+    : QWidget(parent), reading_(reading), heading_(new QLabel(this)), detail_(new QLabel(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::kMargin, metrics::kGap, metrics::kMargin, metrics::kMargin);
+    layout->setSpacing(metrics::kGap);
+    QFont bold = heading_->font();
+    bold.setBold(true);
+    heading_->setFont(bold);
+    heading_->setObjectName(QStringLiteral("graphHeading"));
+    detail_->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(heading_);
+    layout->addWidget(detail_);
+    layout->addSpacing(metrics::kGap);
+    layout->addWidget(new GraphView(reading, appearance, this), 1);
+    connect(&reading, &LiveReading::changed, this, &GraphPanel::refresh);
+    refresh();
+}
+
+void GraphPanel::refresh() {
+    const Interpretation& r = reading_.reading();
+    const int current = reading_.current();
+    if (current >= 0) {
+        const Candidate& c = r.candidates[static_cast<std::size_t>(current)];
+        heading_->setText(QString::fromStdString(c.templateName));
+        detail_->setText(tr("%1, fit %2 %, off by %3 px")
+                             .arg(aspectText(c.aspect))
+                             .arg(qRound(c.score * 100))
+                             .arg(c.residualPx, 0, 'f', 1));
+        return;
+    }
+    const int edges = static_cast<int>(r.graph.edges.size());
+    if (r.nearest && reading_.settled()) {
+        heading_->setText(tr("Nearest: %1").arg(QString::fromStdString(r.nearest->templateName)));
+        detail_->setText(tr("%1 missing, %2 too many")
+                             .arg(r.nearest->missing.size())
+                             .arg(r.nearest->extra.size()));
+        return;
+    }
+    heading_->setText(edges > 0 ? tr("No template yet") : tr("Nothing read yet"));
+    detail_->setText(tr("%1, %2").arg(
+        tr("%n edge(s)", nullptr, edges),
+        tr("%n junction(s)", nullptr, static_cast<int>(r.graph.junctions.size()))));
+}
+
+}  // namespace ew

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QVariantAnimation>
+
+#include "core/document/document.h"
+
+class QHBoxLayout;
+class QLabel;
+
+namespace ew {
+
+class Appearance;
+class ApplyController;
+class LiveReading;
+
+/// The sentence under the viewport: what the drawing reads as, or why it is not understood, with
+/// one-click repairs beside it. Its height never changes, so the drawing never moves.
+class MessageBar : public QFrame {
+    Q_OBJECT
+
+  public:
+    MessageBar(Document& document, LiveReading& reading, ApplyController& apply,
+               Appearance& appearance, QWidget* parent = nullptr);
+
+    /// A sentence that stays until the ink changes or the next one comes.
+    void showNotice(const QString& text);
+    void showError(const Error& error);
+    QString text() const;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    enum class Tone { Quiet, Good, Warning };
+    struct Sentence {
+        Tone tone = Tone::Quiet;
+        QString text;
+    };
+    void refresh();
+    Sentence sentence() const;
+    Sentence idleSentence() const;
+    void say(const Sentence& sentence);
+    void showRepairs();
+    void onWaiting(bool waiting);
+
+    Document& document_;
+    LiveReading& reading_;
+    ApplyController& apply_;
+    Appearance& appearance_;
+    QLabel* icon_;
+    QLabel* text_;
+    QHBoxLayout* buttons_;
+    std::vector<Repair> shownRepairs_;
+    std::optional<Sentence> notice_;
+    QVariantAnimation countdown_;
+};
+
+}  // namespace ew

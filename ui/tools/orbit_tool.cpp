@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/orbit_tool.h"
+
+#include "ui/viewport/camera_moves.h"
+
+namespace ew {
+
+void OrbitTool::begin(const PenEvent& event) {
+    before_ = context_.document.camera();
+    start_ = event.position;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : bodyPoints(context_.document.state().bodies)) box.extend(p);
+    pivot_ = box.isEmpty() ? before_.center : Vec3(box.center());
+}
+
+void OrbitTool::update(const PenEvent& event) {
+    (void)context_.document.setCamera(orbitCamera(before_, event.position - start_, pivot_));
+}
+
+void OrbitTool::end(const PenEvent& event) { update(event); }
+
+void OrbitTool::cancel() { (void)context_.document.setCamera(before_); }
+
+}  // namespace ew

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/tool_box.h"
+
+#include "ui/input/input_arbiter.h"
+#include "ui/tools/eraser_tool.h"
+#include "ui/tools/orbit_tool.h"
+#include "ui/tools/pan_tool.h"
+#include "ui/tools/pen_tool.h"
+#include "ui/viewport/camera_moves.h"
+#include "ui/viewport/viewport_widget.h"
+
+namespace ew {
+
+ToolBox::ToolBox(const ToolContext& context, QObject* parent)
+    : QObject(parent),
+      context_(context),
+      pen_(std::make_unique<PenTool>(context)),
+      eraser_(std::make_unique<EraserTool>(context)),
+      orbit_(std::make_unique<OrbitTool>(context)),
+      pan_(std::make_unique<PanTool>(context)) {
+    InputArbiter::Sink sink;
+    sink.pointer = [this](const PenEvent& event) { pointer(event); };
+    sink.zoom = [this](const Vec2& position, double factor) { zoom(position, factor); };
+    sink.pan = [this](const Vec2& delta) { pan(delta); };
+    arbiter_ = new InputArbiter(&context.viewport, std::move(sink));
+}
+
+ToolBox::~ToolBox() { delete arbiter_; }
+
+void ToolBox::setActive(Kind kind) {
+    if (kind == active_) return;
+    cancelGesture();
+    active_ = kind;
+    context_.viewport.setHover(std::nullopt);
+    switch (kind) {
+        case Kind::Pen:
+        case Kind::Eraser:
+            context_.viewport.setCursor(Qt::CrossCursor);
+            break;
+        case Kind::Orbit:
+            context_.viewport.setCursor(Qt::SizeAllCursor);
+            break;
+        case Kind::Pan:
+            context_.viewport.setCursor(Qt::OpenHandCursor);
+            break;
+    }
+    emit activeChanged(kind);
+}
+
+bool ToolBox::cancelGesture() {
+    if (current_ == nullptr) return false;
+    arbiter_->cancel();
+    return true;
+}
+
+Tool* ToolBox::tool(Kind kind) {
+    switch (kind) {
+        case Kind::Eraser:
+            return eraser_.get();
+        case Kind::Orbit:
+            return orbit_.get();
+        case Kind::Pan:
+            return pan_.get();
+        case Kind::Pen:
+            break;
+    }
+    return pen_.get();
+}
+
+Tool* ToolBox::toolFor(PenIntent intent) {
+    switch (intent) {
+        case PenIntent::Erase:
+            return eraser_.get();
+        case PenIntent::Orbit:
+            return orbit_.get();
+        case PenIntent::Pan:
+            return pan_.get();
+        case PenIntent::Tool:
+            break;
+    }
+    return tool(active_);
+}
+
+void ToolBox::pointer(const PenEvent& event) {
+    switch (event.phase) {
+        case PenPhase::Hover:
+        case PenPhase::Leave:
+            hover(event);
+            return;
+        case PenPhase::Begin:
+            current_ = toolFor(event.intent);
+            current_->begin(event);
+            return;
+        case PenPhase::Update:
+            if (current_ != nullptr) current_->update(event);
+            if (current_ == eraser_.get()) hover(event);
+            return;
+        case PenPhase::End:
+            // Over before the tool acts on it: what it does may look at gestureUnderWay().
+            if (Tool* tool = std::exchange(current_, nullptr)) tool->end(event);
+            return;
+        case PenPhase::Cancel:
+            if (Tool* tool = std::exchange(current_, nullptr)) tool->cancel();
+            return;
+    }
+}
+
+void ToolBox::hover(const PenEvent& event) {
+    const bool erases = event.intent == PenIntent::Erase || active_ == Kind::Eraser;
+    const bool shown = event.phase != PenPhase::Leave && (erases || active_ == Kind::Pen);
+    context_.viewport.setHover(shown ? std::optional<Vec2>(event.position) : std::nullopt, erases);
+}
+
+void ToolBox::zoom(const Vec2& position, double factor) {
+    if (current_ != nullptr) return;
+    (void)context_.document.setCamera(zoomCamera(context_.document.camera(), position, factor));
+}
+
+void ToolBox::pan(const Vec2& delta) {
+    if (current_ != nullptr) return;
+    (void)context_.document.setCamera(panCamera(context_.document.camera(), delta));
+}
+
+}  // namespace ew

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "ui/tools/tool.h"
+
+namespace ew {
+
+class InputArbiter;
+
+/// Gives each gesture to its tool: the active one for the pen tip and the left button, the others
+/// as the gesture's intent says.
+class ToolBox : public QObject {
+    Q_OBJECT
+
+  public:
+    enum class Kind { Pen, Eraser, Orbit, Pan };
+
+    /// Watches the viewport of the context, which outlives this.
+    explicit ToolBox(const ToolContext& context, QObject* parent = nullptr);
+    ~ToolBox() override;
+
+    Kind active() const { return active_; }
+    void setActive(Kind kind);
+    /// True between begin and end of any gesture.
+    bool gestureUnderWay() const { return current_ != nullptr; }
+    /// Escape: the gesture under way leaves nothing. False where there was none.
+    bool cancelGesture();
+
+  signals:
+    void activeChanged(ew::ToolBox::Kind kind);
+
+  private:
+    void pointer(const PenEvent& event);
+    void hover(const PenEvent& event);
+    void zoom(const Vec2& position, double factor);
+    void pan(const Vec2& delta);
+    Tool* toolFor(PenIntent intent);
+    Tool* tool(Kind kind);
+
+    ToolContext context_;
+    std::unique_ptr<Tool> pen_;
+    std::unique_ptr<Tool> eraser_;
+    std::unique_ptr<Tool> orbit_;
+    std::unique_ptr<Tool> pan_;
+    InputArbiter* arbiter_;  // child of the viewport
+    Kind active_ = Kind::Pen;
+    Tool* current_ = nullptr;
+};
+
+}  // namespace ew

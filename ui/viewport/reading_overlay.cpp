@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/reading_overlay.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/viewport/sketch_plane.h"
+#include "ui/viewport/wireframe.h"
+
+namespace ew {
+
+namespace {
+
+constexpr double kEdgePx = 1.2;
+constexpr double kDotPx = 2.8;
+constexpr double kRingPx = 11.0;  // round a culprit that is a place
+
+class Painter {
+  public:
+    Painter(QPainter& painter, const ReadingOverlay& overlay, const ThemeColours& colours,
+            const QRectF& bounds)
+        : p_(painter),
+          o_(overlay),
+          c_(colours),
+          bounds_(bounds),
+          map_(sketchToView(overlay.sketchCamera, overlay.viewCamera)),
+          scale_(meanScale(map_)) {}
+
+    void ghost() {
+        if (o_.ghost < 0 || o_.ghost >= static_cast<int>(o_.reading->candidates.size())) return;
+        const Candidate& candidate = o_.reading->candidates[static_cast<std::size_t>(o_.ghost)];
+        QPen seen(c_.ghost, 1.4);
+        QPen hidden(c_.ghost, 1.0);
+        seen.setCapStyle(Qt::RoundCap);
+        hidden.setDashPattern({4.0, 4.0});
+        for (const WireSegment& s : wireSegments(candidate.spec, candidate.pose, o_.viewCamera)) {
+            p_.setPen(s.hidden ? hidden : seen);
+            p_.drawLine(toPoint(s.ends[0]), toPoint(s.ends[1]));
+        }
+    }
+
+    void graph() {
+        const EdgeGraph& graph = o_.reading->graph;
+        QPen stroke(c_.read, kEdgePx);
+        QPen model(c_.read, kEdgePx);
+        model.setDashPattern({1.5, 3.0});
+        for (const GraphEdge& edge : graph.edges) {
+            p_.setPen(edge.origin == EdgeOrigin::Model ? model : stroke);
+            p_.drawLine(at(graph.junctions[static_cast<std::size_t>(edge.ends[0])].position),
+                        at(graph.junctions[static_cast<std::size_t>(edge.ends[1])].position));
+        }
+        p_.setPen(QPen(c_.background, 1.0));
+        p_.setBrush(c_.read);
+        for (const Junction& junction : graph.junctions) {
+            p_.drawEllipse(at(junction.position), kDotPx, kDotPx);
+        }
+        p_.setBrush(Qt::NoBrush);
+        QPen off(c_.dropped, 1.0);
+        off.setDashPattern({3.0, 3.0});
+        p_.setPen(off);
+        if (graph.empty()) return;
+        for (const NoiseItem& item : graph.noise) {
+            QPolygonF line;
+            for (const Vec2& v : item.polyline) line.append(at(v));
+            p_.drawPolyline(line);
+        }
+    }
+
+    void missing() {
+        if (!o_.reading->nearest) return;
+        QPen pen(c_.warning, 1.6);
+        pen.setDashPattern({1.0, 3.0});
+        pen.setCapStyle(Qt::RoundCap);
+        p_.setPen(pen);
+        for (const auto& edge : o_.reading->nearest->missing) p_.drawLine(at(edge[0]), at(edge[1]));
+    }
+
+    void culprits() {
+        p_.setBrush(Qt::NoBrush);
+        for (const Culprit& culprit : o_.reading->culprits) mark(culprit);
+        for (const Culprit& culprit : o_.reading->culprits) {
+            if (culprit.label.empty()) continue;
+            const QPointF tip = at(culprit.at);
+            const QPointF to = at(culprit.to);
+            const double reach = radiusOf(culprit) + 6.0;
+            // Beside the ring, on the side away from what the end should meet.
+            const double side = to.x() > tip.x() ? -1.0 : 1.0;
+            paintLabel(p_, tip + QPointF(side * reach, 0.0), QString::fromStdString(culprit.label),
+                       c_, bounds_);
+        }
+    }
+
+  private:
+    QPointF at(const Vec2& v) const { return map_.map(toPoint(v)); }
+
+    double radiusOf(const Culprit& culprit) const {
+        return culprit.kind == Culprit::Kind::OpenEnd ? o_.thresholds.distancePx * scale_ : kRingPx;
+    }
+
+    void mark(const Culprit& culprit) {
+        const QPointF tip = at(culprit.at);
+        const auto edgeCount = static_cast<int>(o_.reading->graph.edges.size());
+        if (culprit.edge >= 0 && culprit.edge < edgeCount &&
+            culprit.kind != Culprit::Kind::OpenEnd) {
+            const EdgeGraph& graph = o_.reading->graph;
+            const GraphEdge& edge = graph.edges[static_cast<std::size_t>(culprit.edge)];
+            p_.setPen(QPen(c_.warning, 2.2, Qt::SolidLine, Qt::RoundCap));
+            p_.drawLine(at(graph.junctions[static_cast<std::size_t>(edge.ends[0])].position),
+                        at(graph.junctions[static_cast<std::size_t>(edge.ends[1])].position));
+        }
+        p_.setPen(QPen(c_.warning, 1.6));
+        const double r = radiusOf(culprit);
+        p_.drawEllipse(tip, r, r);
+        if (culprit.kind != Culprit::Kind::OpenEnd) return;
+        QPen gap(c_.warning, 1.4);
+        gap.setDashPattern({3.0, 3.0});
+        p_.setPen(gap);
+        p_.drawLine(tip, at(culprit.to));
+        p_.setPen(Qt::NoPen);
+        p_.setBrush(c_.warning);
+        p_.drawEllipse(tip, 2.4, 2.4);
+        p_.drawEllipse(at(culprit.to), 2.4, 2.4);
+        p_.setBrush(Qt::NoBrush);
+    }
+
+    QPainter& p_;
+    const ReadingOverlay& o_;
+    const ThemeColours& c_;
+    QRectF bounds_;
+    QTransform map_;
+    double scale_;
+};
+
+}  // namespace
+
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text,
+                const ThemeColours& colours, const QRectF& bounds) {
+    const QFontMetricsF metrics(painter.font());
+    QRectF plate(0, 0, metrics.horizontalAdvance(text) + 12, metrics.height() + 6);
+    const bool leftward = at.x() > bounds.center().x();
+    plate.moveCenter({at.x() + (leftward ? -1 : 1) * plate.width() / 2, at.y()});
+    plate.moveLeft(
+        std::max(bounds.left() + 2, std::min(plate.left(), bounds.right() - 2 - plate.width())));
+    plate.moveTop(
+        std::max(bounds.top() + 2, std::min(plate.top(), bounds.bottom() - 2 - plate.height())));
+    QColor back = colours.surface;
+    back.setAlphaF(0.92F);
+    painter.setPen(QPen(colours.border, 1.0));
+    painter.setBrush(back);
+    painter.drawRoundedRect(plate, 4, 4);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(colours.warning);
+    painter.drawText(plate, Qt::AlignCenter, text);
+}
+
+void paintReading(QPainter& painter, const ReadingOverlay& overlay, const ThemeColours& colours,
+                  const QRectF& bounds) {
+    if (overlay.reading == nullptr) return;
+    Painter p(painter, overlay, colours, bounds);
+    p.ghost();
+    p.graph();
+    if (!overlay.criticise) return;
+    p.missing();
+    p.culprits();
+}
+
+}  // namespace ew

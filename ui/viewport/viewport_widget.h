@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLWidget>
+#include <memory>
+#include <optional>
+
+#include "core/document/document.h"
+
+namespace ew {
+
+class Appearance;
+class LiveReading;
+
+/// The drawing surface: the scene by VTK, ink and reading by QPainter on top. Shows a document; it
+/// changes it only by telling it the viewport's size. Pointer input is someone else's business.
+class ViewportWidget : public QOpenGLWidget {
+    Q_OBJECT
+
+  public:
+    ViewportWidget(Document& document, LiveReading& reading, Appearance& appearance,
+                   QWidget* parent = nullptr);
+    ~ViewportWidget() override;
+
+    /// The stroke under way in view px, null where there is none; must outlive its being set.
+    void setWetStroke(const Stroke* stroke);
+    /// Where the pen hovers [px]; a ring of the distance threshold is drawn round it.
+    void setHover(std::optional<Vec2> position, bool eraser = false);
+
+    bool gridVisible() const;
+    bool hiddenEdgesVisible() const;
+    bool readingVisible() const;
+
+    /// Time that the newest frame took in this widget, without the swap [ms].
+    double lastFrameMs() const;
+
+  public slots:
+    void setGridVisible(bool on);
+    void setHiddenEdgesVisible(bool on);
+    void setReadingVisible(bool on);
+
+  signals:
+    /// After the first picture that shows everything was made.
+    void firstFrame();
+
+  protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void onDocumentChanged(DocumentChange what);
+    void claimCamera();
+    void paintOverlays();
+    void releaseGL();
+
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+}  // namespace ew
