@@ -163,9 +163,9 @@ inline constexpr double kSnapLimitDeg = 25.0;
 
 // Choosing between candidates. Costs are in units of twice a log-likelihood.
 
-/// Price of one more degree of freedom (twice the Bayesian information criterion at
-/// about 36 observations: people draw boxes far more often than nearly-boxes).
-inline constexpr double kFreedomCost = 8.0;
+/// Price of one more degree of freedom (three times the Bayesian information criterion
+/// at about 36 observations: people draw boxes far more often than nearly-boxes).
+inline constexpr double kFreedomCost = 11.0;
 /// Price of an edge that was not drawn, of one too many, and of a plane that nothing was drawn on.
 inline constexpr double kMissingEdgeCost = 14.0;
 inline constexpr double kExtraEdgeCost = 12.0;
@@ -178,6 +178,7 @@ inline constexpr double kMissPerWobble = 1.7;
 inline constexpr double kDoubtfulMisfit = 3.0;
 /// A candidate is clear where the next different one costs this much more.
 inline constexpr double kClearMargin = 4.0;
+inline constexpr double kClearMarginImperfect = 16.0;
 /// ... and its lines are within this fraction of the distance threshold of the solid, rms.
 inline constexpr double kClearResidual = 0.55;
 /// Direction error that hands have besides what their ends' noise explains: degrees per px of noise,

@@ -69,14 +69,21 @@ double bentPrice(const EdgeGraph& graph, double wobblePx) {
     return price;
 }
 
+/// How much dearer the next different candidate must be. A drawing with a line too many or too few could have
+/// been meant as something else altogether.
+double clearMargin(const Candidate& best) {
+    return best.missingEdges + best.extraEdges > 0 ? tol::kClearMarginImperfect : tol::kClearMargin;
+}
+
 /// Is the best candidate clear enough to be taken by itself?
 void judge(Reading& r) {
     if (r.candidates.empty()) return;
     const RatedCandidate& best = r.candidates.front();
     r.cost = best.cost;
+    const double margin = clearMargin(best.candidate);
     for (const RatedCandidate& other : r.candidates) {
         if (best.candidate.templateId != other.candidate.templateId && other.withinThresholds &&
-            other.cost < best.cost + tol::kClearMargin) {
+            other.cost < best.cost + margin) {
             r.ambiguous = true;
         }
     }
@@ -232,7 +239,7 @@ class Pipeline {
         for (const Reading& r : readings_) {
             if (r.candidates.empty()) continue;
             const RatedCandidate& other = r.candidates.front();
-            if (other.withinThresholds && other.cost < first.cost + tol::kClearMargin &&
+            if (other.withinThresholds && other.cost < first.cost + clearMargin(first.candidate) &&
                 other.candidate.templateId != first.candidate.templateId) {
                 best.ambiguous = true;
                 best.clear = false;
