@@ -71,16 +71,17 @@ void tellSolid(const ew::Document& document) {
 /// steps went well, and no news where one had failed.
 ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& arguments,
                             const ew::ReplayReport& report) {
-    const QDir out(arguments.outFolder);
+    // Named on the command line, so relative to where it was typed; --out is for the script's steps.
+    const QDir here = QDir::current();
     if (!arguments.report.isEmpty()) {
         const std::string name = QFileInfo(arguments.script).fileName().toStdString();
         const std::string text = ew::writeReport(document, report, name);
-        const QString path = out.absoluteFilePath(arguments.report);
+        const QString path = here.absoluteFilePath(arguments.report);
         if (auto ok = ew::writeFileBytes(path, text); !ok) return ok;
     }
     const bool failedBefore = report.firstFailure() != nullptr;
     for (const QString& name : arguments.exports) {
-        auto ok = document.exportTo(out.absoluteFilePath(name));
+        auto ok = document.exportTo(here.absoluteFilePath(name));
         const bool noNews = !ok && ok.error().code == ew::Errc::NoSolid && failedBefore;
         if (!ok && !noNews) return ok;
     }
@@ -88,7 +89,7 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
         const auto& camera = document.camera();
         const QSize viewport(static_cast<int>(camera.width), static_cast<int>(camera.height));
         return ew::takeScreenshot(document,
-                                  {out.absoluteFilePath(arguments.screenshot),
+                                  {here.absoluteFilePath(arguments.screenshot),
                                    arguments.size.value_or(viewport), arguments.templates});
     }
     return {};

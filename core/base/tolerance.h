@@ -161,6 +161,10 @@ inline constexpr double kSnapMarginDeg = 4.0;
 /// ... if no axis has to turn more than this [degrees].
 inline constexpr double kSnapLimitDeg = 25.0;
 
+/// A face that should be hidden may show this many end spreads of width (two thirds of the distance
+/// threshold): nobody draws a face that narrow.
+inline constexpr double kSliverSpreads = 5.0;
+
 // Choosing between candidates. Costs are in units of twice a log-likelihood.
 
 /// Price of one more degree of freedom (three times the Bayesian information criterion

@@ -14,10 +14,10 @@ namespace ew {
 struct ReplayArguments {
     QString script;
     QString outFolder = QStringLiteral(".");
-    QStringList exports;               ///< relative to outFolder, or absolute
-    QString screenshot;                ///< empty: none; relative to outFolder, or absolute
+    QStringList exports;               ///< relative to the current folder, or absolute
+    QString screenshot;                ///< empty: none; relative to the current folder, or absolute
     std::optional<QSize> size;         ///< of the screenshot [px]
-    QString report;                    ///< empty: none; relative to outFolder, or absolute
+    QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
     bool keepGoing = false;
     bool help = false;

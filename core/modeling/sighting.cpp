@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/modeling/sighting.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/tolerance.h"
@@ -59,6 +60,7 @@ bool facesLookRight(const Template& tmpl, const Sighting& sighting, const Camera
                     bool& mirrored) {
     double volume = 0;
     std::vector<double> facing;
+    std::vector<double> span;  // longest projected edge
     for (const auto& loop : tmpl.shape.faces) {
         double projected = 0;  // twice the signed area on the screen
         const Vec3& a = points[at(loop[0])];
@@ -69,6 +71,12 @@ bool facesLookRight(const Template& tmpl, const Sighting& sighting, const Camera
             projected += (b - a).cross(c - a).z();
         }
         facing.push_back(projected);
+        double longest = 0;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec3 e = points[at(loop[(i + 1) % loop.size()])] - points[at(loop[i])];
+            longest = std::max(longest, e.head<2>().norm());
+        }
+        span.push_back(longest);
     }
     mirrored = volume < 0;
     const double sign = mirrored ? -1.0 : 1.0;
@@ -76,9 +84,11 @@ bool facesLookRight(const Template& tmpl, const Sighting& sighting, const Camera
     for (const int f : sighting.visibleFaces) visible[at(f)] = true;
     const double small = 1e-9 * sighting.sizePx * sighting.sizePx;
     for (std::size_t f = 0; f < facing.size(); ++f) {
-        // An outward normal towards the eye has negative z.
+        // An outward normal towards the eye has negative z. A hidden face may come out as a sliver that a hand
+        // would not have drawn.
         const double value = sign * facing[f];
-        if (visible[f] ? value > -small : value < small) return false;
+        const double sliver = 2 * tol::kSliverSpreads * sighting.acrossPx * span[f];
+        if (visible[f] ? value > -small : value < -sliver) return false;
     }
     return true;
 }

@@ -52,13 +52,13 @@ class ReplayProgram : public ::testing::Test {
 
 TEST_F(ReplayProgram, SucceedsAndReports) {
     script("ok.json", R"({"do": "stroke", "points": [[1, 2], [3, 4]]}, {"do": "clear"})");
-    const Outcome r = run({"ok.json", "--out", "a/b", "--report", "r.json"});
+    const Outcome r = run({"ok.json", "--out", "a/b", "--report", "a/r.json"});
     EXPECT_EQ(r.status, 0) << r.err;
     EXPECT_TRUE(r.err.empty()) << r.err;
     EXPECT_NE(r.out.find("step 1 clear: done"), std::string::npos) << r.out;
-    ASSERT_TRUE(exists("a/b/r.json"));
+    ASSERT_TRUE(exists("a/r.json"));
     const auto report =
-        nlohmann::json::parse(*readFileBytes(folder_.filePath("a/b/r.json"), 1U << 20U));
+        nlohmann::json::parse(*readFileBytes(folder_.filePath("a/r.json"), 1U << 20U));
     EXPECT_EQ(report["script"], "ok.json");
     EXPECT_EQ(report["steps"].size(), 2U);
 }

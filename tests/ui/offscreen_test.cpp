@@ -33,7 +33,7 @@ void addLine(Document& document, const Vec2& from, const Vec2& to) {
 void drawBox(Document& document) {
     const OrthographicCamera camera = document.camera();
     const auto at = [&](double x, double y, double z) {
-        return camera.project({(x - 0.5) * 60, (y - 0.5) * 40, (z - 0.5) * 30});
+        return camera.project({(x - 0.5) * 60, (y - 0.5) * 40, (z - 0.5) * 25});
     };
     const Vec2 c = at(1, 0, 1);
     const std::vector<std::array<Vec2, 2>> lines{

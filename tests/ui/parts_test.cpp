@@ -91,11 +91,22 @@ TEST(Wireframe, NothingIsLostOrDoubledFromAnySide) {
 }
 
 TEST(Wireframe, TheNotchHidesPartOfAnEdge) {
-    // Seen along x and a little from above, the tall arm hides part of what is behind it.
+    // The arm along y hides the foot of the notch's other side up to x = 30 and no farther.
     OrthographicCamera camera;
-    camera.direction = Vec3(1.0, 0.35, -0.2).normalized();
+    camera.direction = Vec3(0.6, -1.0, -0.4).normalized();
     const auto segments = wireSegments(lPrism(), {}, camera);
     EXPECT_GT(segments.size(), 18U) << "an edge must be split into a seen and a hidden part";
+    const Vec2 split = camera.project({30, 15, 0});
+    const Vec2 end = camera.project({40, 15, 0});
+    EXPECT_TRUE(std::any_of(segments.begin(), segments.end(),
+                            [&](const WireSegment& s) {
+                                return !s.hidden &&
+                                       (s.ends[0] - split).norm() + (s.ends[1] - end).norm() < 1e-6;
+                            }) ||
+                std::any_of(segments.begin(), segments.end(), [&](const WireSegment& s) {
+                    return !s.hidden &&
+                           (s.ends[1] - split).norm() + (s.ends[0] - end).norm() < 1e-6;
+                }));
 }
 
 TEST(Wireframe, BadIndicesGiveNothing) {

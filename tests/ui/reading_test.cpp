@@ -120,9 +120,9 @@ TEST_F(Reading, EnterOnAnUnreadableDrawingKeepsTheInk) {
 }
 
 TEST_F(Reading, KeysChooseAReadingAndEnterTakesIt) {
-    drawLines(Hand::Mouse, boxLines());
+    drawLines(Hand::Mouse, prismLines());
     const auto count = reading().candidates.size();
-    ASSERT_GE(count, 2U) << "a box has its oblique reading too";
+    ASSERT_GE(count, 2U) << "a prism leaves a freedom open";
     key(Qt::Key_2);
     EXPECT_EQ(window_->reading().current(), 1);
     EXPECT_TRUE(child<QAbstractButton>("candidate2").isChecked());
@@ -137,7 +137,7 @@ TEST_F(Reading, KeysChooseAReadingAndEnterTakesIt) {
 }
 
 TEST_F(Reading, AfterApplyingTheOtherReadingsAreOneKeyAway) {
-    drawLines(Hand::Mouse, boxLines());
+    drawLines(Hand::Mouse, prismLines());
     key(Qt::Key_Return);
     ASSERT_NE(document().lastApply(), nullptr);
     const int first = document().lastApply()->chosen;
@@ -162,10 +162,10 @@ TEST_F(Reading, AppliesByItselfOnlyWhenOnAndClear) {
     EXPECT_TRUE(apply.automatic());
     apply.setBusyTest([] { return false; });
     auto lines = boxLines();
-    lines.pop_back();
-    lines.pop_back();
+    lines.erase(lines.begin() + 7);
+    lines.erase(lines.begin() + 5);
     drawLines(Hand::Mouse, lines);
-    EXPECT_FALSE(apply.waiting()) << "two edges are missing";
+    EXPECT_FALSE(apply.waiting()) << "two faces are open";
     document().clearStrokes();
     drawLines(Hand::Mouse, boxLines());
     EXPECT_TRUE(apply.waiting());

@@ -158,4 +158,16 @@ std::vector<std::array<Vec2, 2>> WindowTest::boxLines(const Vec3& size) const {
             {at(1, 1, 0), at(1, 0, 0)}, {at(1, 0, 0), at(0, 0, 0)}, {at(0, 0, 0), at(0, 0, 1)}};
 }
 
+std::vector<std::array<Vec2, 2>> WindowTest::prismLines() const {
+    OrthographicCamera camera;
+    camera.width = window_->document().camera().width;
+    camera.height = window_->document().camera().height;
+    const Vec2 a = camera.project({-30, -20, -15});
+    const Vec2 b = camera.project({30, -20, -15});
+    const Vec2 c = camera.project({0, -20, 35});
+    const Vec2 behindB = camera.project({30, 20, -15});
+    const Vec2 behindC = camera.project({0, 20, 35});
+    return {{a, b}, {b, c}, {c, a}, {b, behindB}, {behindB, behindC}, {behindC, c}};
+}
+
 }  // namespace ew::test

@@ -45,6 +45,9 @@ class WindowTest : public testing::Test {
     /// The nine visible edges of a box seen through the start camera, centred in the viewport [px].
     std::vector<std::array<Vec2, 2>> boxLines(const Vec3& size = {60, 40, 30}) const;
 
+    /// The six visible edges of a triangular prism: a drawing that leaves a freedom open.
+    std::vector<std::array<Vec2, 2>> prismLines() const;
+
     std::unique_ptr<Appearance> appearance_;
     std::unique_ptr<MainWindow> window_;
     QTemporaryDir folder_;

@@ -143,7 +143,7 @@ Scene::Scene() : d_(std::make_unique<Private>()) {
     d.renderer->AddActor(d.edges);
     d.renderer->AutomaticLightCreationOff();
     d.addLight(-0.45, 0.9, 0.75, 0.85);
-    d.addLight(0.9, -0.1, 0.6, 0.28);
+    d.addLight(0.9, -0.1, 0.6, 0.1);
     d.updateWidths();
     setColours(lightColours());
     setBodies({});
