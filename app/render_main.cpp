@@ -2,7 +2,7 @@
 // edgewright-render DOCUMENT PICTURE.png WxH [TEMPLATES]: draws the viewport of a document, read
 // with the templates of a folder or the usual ones. Needs a display; edgewright-replay starts it
 // for
-// --screenshot.
+// --screenshot. Exit 0: drawn; 2: cannot be drawn; 3: cannot be written.
 #include <QApplication>
 #include <cstdio>
 
@@ -14,9 +14,12 @@
 
 namespace {
 
-int complain(const std::string& message) {
+constexpr int kUnusable = 2;
+constexpr int kCannotWrite = 3;
+
+int complain(const std::string& message, int status = kUnusable) {
     std::fprintf(stderr, "%s\n", message.c_str());
-    return 2;
+    return status;
 }
 
 }  // namespace
@@ -37,7 +40,8 @@ int main(int argc, char** argv) {
     ew::Document document(load->library);
     if (auto ok = document.open(arguments[0]); !ok) return complain(ok.error().message);
     if (auto ok = ew::renderScreenshot(document, arguments[1], *size); !ok) {
-        return complain(ok.error().message);
+        const bool unwritable = ok.error().code == ew::Errc::CannotWrite;
+        return complain(ok.error().message, unwritable ? kCannotWrite : kUnusable);
     }
     return 0;
 }

@@ -71,7 +71,8 @@ void tellSolid(const ew::Document& document) {
 /// steps went well, and no news where one had failed.
 ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& arguments,
                             const ew::ReplayReport& report) {
-    // Named on the command line, so relative to where it was typed; --out is for the script's steps.
+    // Named on the command line, so relative to where it was typed; --out is for the script's
+    // steps.
     const QDir here = QDir::current();
     if (!arguments.report.isEmpty()) {
         const std::string name = QFileInfo(arguments.script).fileName().toStdString();

@@ -15,6 +15,7 @@ namespace {
 constexpr int kStartMs = 20'000;
 constexpr int kRenderMs = 120'000;
 constexpr int kStopMs = 5'000;
+constexpr int kCannotWrite = 3;  // exit status of edgewright-render
 
 /// A virtual display that lives as long as this object.
 class VirtualDisplay {
@@ -75,8 +76,13 @@ Result<void> render(const RenderCall& call, const QString& display) {
         return fail(Errc::NotAvailable, "Drawing the screenshot took too long.");
     }
     if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0) return {};
+    // Libraries may have said something before; the program's own sentence is the last line.
     const QString said = QString::fromLocal8Bit(process.readAllStandardError()).trimmed();
-    return fail(Errc::NotAvailable, "The screenshot could not be drawn: " + said.toStdString());
+    const std::string why = said.mid(said.lastIndexOf('\n') + 1).toStdString();
+    if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == kCannotWrite) {
+        return fail(Errc::CannotWrite, why);
+    }
+    return fail(Errc::NotAvailable, "The screenshot could not be drawn: " + why);
 }
 
 }  // namespace
@@ -102,7 +108,8 @@ Result<void> takeScreenshot(Document& document, const Picture& picture) {
     if (!display.isEmpty()) {
         auto done = render(call, display);
         // A display that is named but not there: the virtual one is as good.
-        if (done || QStandardPaths::findExecutable("Xvfb").isEmpty()) return done;
+        const bool drawable = done || done.error().code == Errc::CannotWrite;
+        if (drawable || QStandardPaths::findExecutable("Xvfb").isEmpty()) return done;
     }
     VirtualDisplay own;
     const auto started = own.start();

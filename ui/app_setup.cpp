@@ -4,13 +4,36 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QIcon>
+#include <QLibraryInfo>
+#include <QLocale>
 #include <QSurfaceFormat>
+#include <QTranslator>
 
 // A static library's resources are linked in only where something names them. Outside any
 // namespace, as the macro wants it.
-static void initialiseResources() { Q_INIT_RESOURCE(icons); }
+static void initialiseResources() {
+    Q_INIT_RESOURCE(icons);
+    Q_INIT_RESOURCE(translations);
+}
 
 namespace ew {
+
+namespace {
+
+/// The language of the system where there is a file for it, else English.
+void installTranslation(const QString& name, const QString& folder) {
+    auto* translator = new QTranslator(qApp);
+    const bool found =
+        translator->load(QLocale(), name, QStringLiteral("_"), folder) ||
+        translator->load(QLocale(QLocale::English), name, QStringLiteral("_"), folder);
+    if (found) {
+        QCoreApplication::installTranslator(translator);
+    } else {
+        delete translator;
+    }
+}
+
+}  // namespace
 
 void prepareApplication() {
     // On Wayland floating panels cannot be docked again (Qt 6.4) and GLEW complains.
@@ -36,6 +59,9 @@ void nameApplication() {
     QCoreApplication::setOrganizationName(QStringLiteral("Edgewright"));
     QCoreApplication::setApplicationVersion(QStringLiteral(EDGEWRIGHT_VERSION));
     QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/edgewright.svg")));
+    installTranslation(QStringLiteral("qtbase"),
+                       QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    installTranslation(QStringLiteral("edgewright"), QStringLiteral(":/translations"));
     QGuiApplication::setDesktopFileName(QStringLiteral("edgewright"));
 }
 

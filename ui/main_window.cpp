@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -145,7 +146,7 @@ void MainWindow::arrangePanels() {
     resizeDocks({panels_[0], panels_[1], panels_[2]}, {240, 380, 110}, Qt::Vertical);
     resizeDocks({panels_[0]}, {308}, Qt::Horizontal);
     resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
-    resizeDocks({panels_[3]}, {228}, Qt::Horizontal);
+    resizeDocks({panels_[3]}, {240}, Qt::Horizontal);
 }
 
 void MainWindow::buildToolBar() {
@@ -211,6 +212,15 @@ void MainWindow::remember() const {
     settings.setValue(QStringLiteral("view/grid"), views_->gridAction->isChecked());
     settings.setValue(QStringLiteral("view/hidden"), views_->hiddenAction->isChecked());
     settings.setValue(QStringLiteral("view/reading"), views_->readingAction->isChecked());
+}
+
+QPixmap MainWindow::picture() {
+    QPixmap picture = grab();
+    // While a widget is grabbed, a painter on an OpenGL widget inside it paints nowhere.
+    const QImage drawing = viewport_->grabFramebuffer();
+    QPainter painter(&picture);
+    painter.drawImage(QRect(viewport_->mapTo(this, QPoint(0, 0)), viewport_->size()), drawing);
+    return picture;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

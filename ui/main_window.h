@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPixmap>
 #include <memory>
 
 #include "core/tlib/library.h"
@@ -38,6 +39,9 @@ class MainWindow : public QMainWindow {
     MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options = {},
                QWidget* parent = nullptr);
     ~MainWindow() override;
+
+    /// The window as it is seen, without its frame.
+    QPixmap picture();
 
     Document& document() { return *document_; }
     LiveReading& reading() { return *reading_; }

@@ -15,8 +15,8 @@ Vec2 OrthographicCamera::project(const Vec3& world) const {
 Vec3 OrthographicCamera::unproject(const Vec2& px, double depth) const {
     const Vec3 r = right();
     const Vec3 u = r.cross(direction);
-    return center + worldPerPixel * ((px.x() - width / 2) * r - (px.y() - height / 2) * u +
-                                     depth * direction);
+    return center + worldPerPixel *
+                        ((px.x() - width / 2) * r - (px.y() - height / 2) * u + depth * direction);
 }
 
 Mat3 OrthographicCamera::cameraToWorld() const {

@@ -10,11 +10,11 @@ namespace ew {
 /// the Sketch Plane passes through `center`, perpendicular to `direction`.
 struct OrthographicCamera {
     Vec3 direction = Vec3(-1, 1, -1).normalized();  ///< unit, from the eye into the scene
-    Vec3 up = Vec3(0, 0, 1);                         ///< any vector not parallel to direction
-    Vec3 center = Vec3::Zero();                      ///< [mm] seen at the viewport's middle
-    double worldPerPixel = 0.25;                     ///< [mm/px], > 0
-    double width = 1280;                             ///< viewport [px]
-    double height = 800;                             ///< viewport [px]
+    Vec3 up = Vec3(0, 0, 1);                        ///< any vector not parallel to direction
+    Vec3 center = Vec3::Zero();                     ///< [mm] seen at the viewport's middle
+    double worldPerPixel = 0.25;                    ///< [mm/px], > 0
+    double width = 1280;                            ///< viewport [px]
+    double height = 800;                            ///< viewport [px]
 
     Vec3 right() const { return direction.cross(up).normalized(); }
     Vec3 trueUp() const { return right().cross(direction); }
@@ -27,7 +27,9 @@ struct OrthographicCamera {
     Vec3 unproject(const Vec2& px, double depthPx = 0.0) const;
 
     /// Distance of a world point behind the Sketch Plane [px], positive away from the eye.
-    double depthPx(const Vec3& world) const { return (world - center).dot(direction) / worldPerPixel; }
+    double depthPx(const Vec3& world) const {
+        return (world - center).dot(direction) / worldPerPixel;
+    }
 
     /// Columns right, down, direction: rotates camera-space vectors (px axes x right, y down,
     /// z into the scene; a right-handed frame) to the world.

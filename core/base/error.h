@@ -28,42 +28,42 @@ enum class Errc {
     SeparateDrawings,  ///< "separate-drawings": more than one connected drawing
     NoRegion,          ///< "no-region": the lines enclose nothing
     // Matching and reconstruction
-    NoMatch,             ///< "no-match": no template shows this graph
-    Ambiguous,           ///< "ambiguous": several readings, none clearly best
-    ImpossibleCorner,    ///< "impossible-corner": breaks Perkins' law, no rectangular corner
-    NotParallel,         ///< "not-parallel": edges that must be parallel are not
-    UnknownTemplate,     ///< "unknown-template"
-    UnknownCandidate,    ///< "unknown-candidate"
-    OperationImpossible, ///< "operation-impossible"
-    NoSolution,          ///< "no-solution": the template matched but no solid fits the drawing
+    NoMatch,              ///< "no-match": no template shows this graph
+    Ambiguous,            ///< "ambiguous": several readings, none clearly best
+    ImpossibleCorner,     ///< "impossible-corner": breaks Perkins' law, no rectangular corner
+    NotParallel,          ///< "not-parallel": edges that must be parallel are not
+    UnknownTemplate,      ///< "unknown-template"
+    UnknownCandidate,     ///< "unknown-candidate"
+    OperationImpossible,  ///< "operation-impossible"
+    NoSolution,           ///< "no-solution": the template matched but no solid fits the drawing
     // Solid
-    NotClosed,        ///< "not-closed"
-    NotManifold,      ///< "not-manifold"
-    NotOriented,      ///< "not-oriented"
-    NotPlanar,        ///< "not-planar"
-    SelfIntersecting, ///< "self-intersecting"
-    NoVolume,         ///< "no-volume"
+    NotClosed,         ///< "not-closed"
+    NotManifold,       ///< "not-manifold"
+    NotOriented,       ///< "not-oriented"
+    NotPlanar,         ///< "not-planar"
+    SelfIntersecting,  ///< "self-intersecting"
+    NoVolume,          ///< "no-volume"
     // Files and scripts
-    Syntax,           ///< "syntax": not JSON
-    WrongFormat,      ///< "wrong-format": JSON, but not this format
-    WrongVersion,     ///< "wrong-version"
-    UnknownKey,       ///< "unknown-key"
-    MissingKey,       ///< "missing-key"
-    WrongType,        ///< "wrong-type"
-    BadValue,         ///< "bad-value": right type, value out of range
-    TooLarge,         ///< "too-large": file over the size limit
-    TooDeep,          ///< "too-deep": nested beyond the limit
-    BadTemplate,      ///< "bad-template"
-    DuplicateId,      ///< "duplicate-id"
-    FileNotFound,     ///< "file-not-found"
-    CannotWrite,      ///< "cannot-write"
-    UnknownExtension, ///< "unknown-extension"
-    Cancelled,        ///< "cancelled"
-    NothingToUndo,    ///< "nothing-to-undo"
-    NothingToRedo,    ///< "nothing-to-redo"
-    NoSolid,          ///< "no-solid": the step needs a solid and there is none
-    NotAvailable,     ///< "not-available": this build cannot do it
-    Internal,         ///< "internal": a library failed in a way no input should cause
+    Syntax,            ///< "syntax": not JSON
+    WrongFormat,       ///< "wrong-format": JSON, but not this format
+    WrongVersion,      ///< "wrong-version"
+    UnknownKey,        ///< "unknown-key"
+    MissingKey,        ///< "missing-key"
+    WrongType,         ///< "wrong-type"
+    BadValue,          ///< "bad-value": right type, value out of range
+    TooLarge,          ///< "too-large": file over the size limit
+    TooDeep,           ///< "too-deep": nested beyond the limit
+    BadTemplate,       ///< "bad-template"
+    DuplicateId,       ///< "duplicate-id"
+    FileNotFound,      ///< "file-not-found"
+    CannotWrite,       ///< "cannot-write"
+    UnknownExtension,  ///< "unknown-extension"
+    Cancelled,         ///< "cancelled"
+    NothingToUndo,     ///< "nothing-to-undo"
+    NothingToRedo,     ///< "nothing-to-redo"
+    NoSolid,           ///< "no-solid": the step needs a solid and there is none
+    NotAvailable,      ///< "not-available": this build cannot do it
+    Internal,          ///< "internal": a library failed in a way no input should cause
 };
 
 /// Stable text of a code, e.g. "no-match".

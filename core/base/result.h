@@ -40,17 +40,32 @@ class [[nodiscard]] Result {
     bool has_value() const { return state_.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
-    T& value() & { assert(has_value()); return *std::get_if<0>(&state_); }
-    const T& value() const& { assert(has_value()); return *std::get_if<0>(&state_); }
-    T&& value() && { assert(has_value()); return std::move(*std::get_if<0>(&state_)); }
+    T& value() & {
+        assert(has_value());
+        return *std::get_if<0>(&state_);
+    }
+    const T& value() const& {
+        assert(has_value());
+        return *std::get_if<0>(&state_);
+    }
+    T&& value() && {
+        assert(has_value());
+        return std::move(*std::get_if<0>(&state_));
+    }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T&& operator*() && { return std::move(*this).value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
-    const E& error() const& { assert(!has_value()); return *std::get_if<1>(&state_); }
-    E&& error() && { assert(!has_value()); return std::move(*std::get_if<1>(&state_)); }
+    const E& error() const& {
+        assert(!has_value());
+        return *std::get_if<1>(&state_);
+    }
+    E&& error() && {
+        assert(!has_value());
+        return std::move(*std::get_if<1>(&state_));
+    }
 
     template <class U>
     T value_or(U&& other) const& {
@@ -74,8 +89,14 @@ class [[nodiscard]] Result<void, E> {
     bool has_value() const { return error_.index() == 0; }
     explicit operator bool() const { return has_value(); }
     void value() const { assert(has_value()); }
-    const E& error() const& { assert(!has_value()); return *std::get_if<1>(&error_); }
-    E&& error() && { assert(!has_value()); return std::move(*std::get_if<1>(&error_)); }
+    const E& error() const& {
+        assert(!has_value());
+        return *std::get_if<1>(&error_);
+    }
+    E&& error() && {
+        assert(!has_value());
+        return std::move(*std::get_if<1>(&error_));
+    }
 
   private:
     std::variant<std::monostate, E> error_;

@@ -17,8 +17,8 @@ inline constexpr double kHookReachPx = 9.0;
 /// A hook leaves the line at more than this angle [degrees].
 inline constexpr double kHookAngleDeg = 40.0;
 
-/// Wobble that corner finding assumes before it knows the hand, and the range that a drawing can move
-/// it to [px rms].
+/// Wobble that corner finding assumes before it knows the hand, and the range that a drawing can
+/// move it to [px rms].
 inline constexpr double kWobbleUnknownPx = 2.2;
 inline constexpr double kWobbleLeastPx = 0.5;
 /// A turn under this may be wobble [degrees].
@@ -94,8 +94,8 @@ inline constexpr double kOvershootReach = 2.4;
 inline constexpr double kOvershootShare = 0.34;
 /// A junction of several ends lies on another line within this fraction of the threshold.
 inline constexpr double kThroughReach = 0.4;
-/// A junction of two lines that turns less than this [degrees] and bends less than kSurelyStraightBend
-/// of the distance threshold is no corner.
+/// A junction of two lines that turns less than this [degrees] and bends less than
+/// kSurelyStraightBend of the distance threshold is no corner.
 inline constexpr double kStraightDeg = 10.0;
 inline constexpr double kSurelyStraightBend = 0.15;
 /// Up to this turn [degrees] and bend it may be none: an edge drawn in two strokes.
@@ -110,7 +110,8 @@ inline constexpr double kOpenEndReach = 6.0;
 /// A camera vector whose largest component is shorter than this (or longer than its inverse) is no
 /// direction: its square would leave the range in which normalising keeps all digits.
 inline constexpr double kShortestDirection = 1e-9;
-/// A direction this near to length 1 is used as it is, so that what was written reads back to the bit.
+/// A direction this near to length 1 is used as it is, so that what was written reads back to the
+/// bit.
 inline constexpr double kUnitLength = 1e-12;
 /// A pose's rotation may miss orthonormality by this much: products of a few rounded rotations do.
 inline constexpr double kRotation = 1e-9;
@@ -131,30 +132,32 @@ inline constexpr double kEdgeOnSine = 1e-6;
 
 // Aspects.
 
-/// A view is accidental where a face is seen within this sine of edge-on, or a vertex lies within this
-/// share of an edge's length over that edge: nobody can tell such a drawing from its neighbours.
+/// A view is accidental where a face is seen within this sine of edge-on, or a vertex lies within
+/// this share of an edge's length over that edge: nobody can tell such a drawing from its
+/// neighbours.
 inline constexpr double kAccidentalView = 0.02;
 
 // Reconstruction.
 
-/// Weight of one radian of a face angle's difference to the reference shape against one spread of a drawn
-/// line end: closes open freedoms, moves determined ones by less than 1e-8.
+/// Weight of one radian of a face angle's difference to the reference shape against one spread of a
+/// drawn line end: closes open freedoms, moves determined ones by less than 1e-8.
 inline constexpr double kRegularityWeight = 0.02;
 
-/// Coordinates of a reconstructed body nearer than this share of its size are the same coordinate: the
-/// solver ends at about 1e-12.
+/// Coordinates of a reconstructed body nearer than this share of its size are the same coordinate:
+/// the solver ends at about 1e-12.
 inline constexpr double kEqualCoordinate = 1e-9;
 /// ... of which this share is left for an exact drawing: enough to close what is open.
 inline constexpr double kLeastDoubt = 0.01;
 /// Nobody draws better than this [px]: a display's rounding.
 inline constexpr double kNoiseFloorPx = 0.05;
-/// Directions in which the picture changes by less than this share of the most visible one (squared) are
-/// not determined by the drawing.
+/// Directions in which the picture changes by less than this share of the most visible one
+/// (squared) are not determined by the drawing.
 inline constexpr double kUnseenDirection = 1e-7;
-/// Singular values of a template's relations below this share of the largest belong to redundant relations.
+/// Singular values of a template's relations below this share of the largest belong to redundant
+/// relations.
 inline constexpr double kRelationRank = 1e-3;
-/// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a degree
-/// of drawing error at 95, 18% at 92 (algorithms.md).
+/// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a
+/// degree of drawing error at 95, 18% at 92 (algorithms.md).
 inline constexpr double kUnreliableCornerDeg = 6.0;
 /// A corner without real roots is turned this far past 90 degrees to have some [degrees].
 inline constexpr double kSnapMarginDeg = 4.0;
@@ -164,6 +167,10 @@ inline constexpr double kSnapLimitDeg = 25.0;
 /// A face that should be hidden may show this many end spreads of width (two thirds of the distance
 /// threshold): nobody draws a face that narrow.
 inline constexpr double kSliverSpreads = 5.0;
+
+/// Up to this distance of its most nearly right angle from 90 degrees a corner is offered as
+/// oblique too.
+inline constexpr double kObliqueLimitDeg = 35.0;
 
 // Choosing between candidates. Costs are in units of twice a log-likelihood.
 
@@ -176,17 +183,21 @@ inline constexpr double kExtraEdgeCost = 12.0;
 inline constexpr double kUnseenPlaneCost = 8.0;
 /// Price of a second look at the strokes with other tolerances.
 inline constexpr double kSecondLookCost = 2.0;
-/// Hands miss corners by more than their lines wobble: line ends are off by about this many times the wobble.
+/// Hands miss corners by more than their lines wobble: line ends are off by about this many times
+/// the wobble.
 inline constexpr double kMissPerWobble = 1.7;
-/// A candidate whose line ends miss it by this many variances on average leaves doubt about the graph.
+/// A candidate whose line ends miss it by this many variances on average leaves doubt about the
+/// graph.
 inline constexpr double kDoubtfulMisfit = 3.0;
+/// Price of a reading that is offered although the drawing speaks against it.
+inline constexpr double kUnlikelyReadingCost = 12.0;
 /// A candidate is clear where the next different one costs this much more.
 inline constexpr double kClearMargin = 4.0;
 inline constexpr double kClearMarginImperfect = 16.0;
 /// ... and its lines are within this fraction of the distance threshold of the solid, rms.
 inline constexpr double kClearResidual = 0.55;
-/// Direction error that hands have besides what their ends' noise explains: degrees per px of noise,
-/// at most this share of the angle threshold.
+/// Direction error that hands have besides what their ends' noise explains: degrees per px of
+/// noise, at most this share of the angle threshold.
 inline constexpr double kDirectionPerPx = 2.0;
 inline constexpr double kDirectionShare = 0.25;
 

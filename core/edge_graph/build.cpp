@@ -29,7 +29,8 @@ GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
 
     std::vector<Vec2> ink;
     std::vector<int> strokes;
-    // Extent along the edge of what was drawn for it, by whole lines: their ends are the real pen ends.
+    // Extent along the edge of what was drawn for it, by whole lines: their ends are the real pen
+    // ends.
     double lo = len;
     double hi = 0;
     Vec2 loTip = p0;
@@ -44,8 +45,14 @@ GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
         }
         for (const Vec2& tip : {line.a, line.b}) {
             const double t = (tip - p0).dot(u);
-            if (t < lo) { lo = t; loTip = tip; }
-            if (t > hi) { hi = t; hiTip = tip; }
+            if (t < lo) {
+                lo = t;
+                loTip = tip;
+            }
+            if (t > hi) {
+                hi = t;
+                hiTip = tip;
+            }
         }
     }
     std::sort(strokes.begin(), strokes.end());
@@ -161,24 +168,29 @@ namespace {
 InkReading readWithWobble(const std::vector<Stroke>& strokes, double distancePx, double wobblePx) {
     InkReading ink;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        StrokeReading reading =
-            readStroke(strokes[i], static_cast<int>(i), distancePx, wobblePx);
+        StrokeReading reading = readStroke(strokes[i], static_cast<int>(i), distancePx, wobblePx);
         NoiseKind kind = NoiseKind::Dot;
         switch (reading.kind) {
             case StrokeKind::Polyline:
                 for (Segment& s : reading.segments) ink.segments.push_back(std::move(s));
                 continue;
-            case StrokeKind::Dot: kind = NoiseKind::Dot; break;
-            case StrokeKind::Scribble: kind = NoiseKind::Scribble; break;
-            case StrokeKind::Curve: kind = NoiseKind::Curve; break;
+            case StrokeKind::Dot:
+                kind = NoiseKind::Dot;
+                break;
+            case StrokeKind::Scribble:
+                kind = NoiseKind::Scribble;
+                break;
+            case StrokeKind::Curve:
+                kind = NoiseKind::Curve;
+                break;
         }
         ink.noise.push_back({kind, static_cast<int>(i), std::move(reading.outline)});
     }
     return ink;
 }
 
-/// How much this hand wobbles: the median of the longer straight pieces of its drawing [px rms], so that a
-/// piece with a corner overlooked does not count.
+/// How much this hand wobbles: the median of the longer straight pieces of its drawing [px rms], so
+/// that a piece with a corner overlooked does not count.
 double handWobble(const InkReading& ink, double distancePx) {
     std::vector<double> rms;
     for (const Segment& s : ink.segments) {
@@ -231,8 +243,7 @@ constexpr std::size_t kMostBends = 6;
 
 std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
                                        const ReadingOptions& options) {
-    const std::vector<InkLine> lines =
-        consolidate(ink.segments, {distancePx, options.mergeScale});
+    const std::vector<InkLine> lines = consolidate(ink.segments, {distancePx, options.mergeScale});
     const JoinOptions join{distancePx, options.joinScale, options.breakReach};
     RawGraph raw = planarize(lines, joinEnds(lines, join), {join, options.throughReach});
     const std::vector<PrunedEdge> pruned = pruneOpen(raw);

@@ -12,10 +12,10 @@ namespace ew {
 /// How to read doubtful places; the defaults are the first reading, the others are tried where that
 /// one matches nothing.
 struct ReadingOptions {
-    double joinScale = 1.0;      ///< reach of stroke ends, times the distance threshold
-    double mergeScale = 1.0;     ///< readiness to take close lines for one
-    double throughReach = 0.4;   ///< tol::kThroughReach
-    double breakReach = 1.3;     ///< widest gap in the middle of an edge, times the distance threshold
+    double joinScale = 1.0;     ///< reach of stroke ends, times the distance threshold
+    double mergeScale = 1.0;    ///< readiness to take close lines for one
+    double throughReach = 0.4;  ///< tol::kThroughReach
+    double breakReach = 1.3;  ///< widest gap in the middle of an edge, times the distance threshold
 };
 
 /// The strokes as straight pieces, with what is no line set aside as noise.
@@ -25,23 +25,25 @@ struct InkReading {
     double wobblePx = 0.0;  ///< how much this hand strays from straight lines, rms
 };
 
-/// Step 1a: corners and lines of every stroke. Strokes that cannot be read (see validateStroke) must
-/// not come here.
+/// Step 1a: corners and lines of every stroke. Strokes that cannot be read (see validateStroke)
+/// must not come here.
 InkReading readInk(const std::vector<Stroke>& strokes, double distancePx);
 
-/// Step 1b (paper 4.1.1, case 1): the Edge Graph of straight pieces of ink. Ends within the distance
-/// threshold meet in one junction; ends close to the inside of a line make a T junction; overshoot is
-/// trimmed; what borders no region is dropped and listed as noise or dangling, with the open ends
-/// that look as if they were meant to meet something. After the topology is settled every edge is fitted
-/// again to the ink between its junctions, and every junction to its edges.
+/// Step 1b (paper 4.1.1, case 1): the Edge Graph of straight pieces of ink. Ends within the
+/// distance threshold meet in one junction; ends close to the inside of a line make a T junction;
+/// overshoot is trimmed; what borders no region is dropped and listed as noise or dangling, with
+/// the open ends that look as if they were meant to meet something. After the topology is settled
+/// every edge is fitted again to the ink between its junctions, and every junction to its edges.
 /// O(n^2) in the number of segments.
-/// \return one graph for each plausible choice of which bends are corners, the most usual choice first:
-///         the others take fewer or more of the slight bends for the middle of an edge that was drawn in two
-///         strokes. Never empty; a graph without edges where nothing is closed.
+/// \return one graph for each plausible choice of which bends are corners, the most usual choice
+/// first:
+///         the others take fewer or more of the slight bends for the middle of an edge that was
+///         drawn in two strokes. Never empty; a graph without edges where nothing is closed.
 std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
                                        const ReadingOptions& options = {});
 
 /// The most usual one.
-EdgeGraph buildEdgeGraph(const InkReading& ink, double distancePx, const ReadingOptions& options = {});
+EdgeGraph buildEdgeGraph(const InkReading& ink, double distancePx,
+                         const ReadingOptions& options = {});
 
 }  // namespace ew

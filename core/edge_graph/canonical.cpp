@@ -9,9 +9,9 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Walks the graph breadth first from a directed edge, neighbours in rotation order from the edge of
-/// arrival; appends to `code` the degree and the numbers of the neighbours of each vertex. Stops early once
-/// the code is greater than `best`.
+/// Walks the graph breadth first from a directed edge, neighbours in rotation order from the edge
+/// of arrival; appends to `code` the degree and the numbers of the neighbours of each vertex. Stops
+/// early once the code is greater than `best`.
 bool walk(const RotationSystem& r, int start, bool mirrored, const std::string& best,
           std::string& code, std::vector<int>& order) {
     std::vector<int> number(r.degree.size(), -1);
@@ -52,7 +52,8 @@ CanonicalForm canonicalForm(const PlaneGraph& graph) {
     const RotationSystem r = rotationOf(graph);
     std::string code;
     std::vector<int> order;
-    // A walk from a vertex of the rarest degree is as good as any other and there are fewer of them.
+    // A walk from a vertex of the rarest degree is as good as any other and there are fewer of
+    // them.
     std::array<int, 128> histogram{};
     for (const int d : r.degree) {
         if (d == 0 || d > 120) return form;

@@ -18,13 +18,14 @@ struct Junction {
 
 /// An edge of the Edge Graph, with the ink that it came from.
 struct GraphEdge {
-    std::array<int, 2> ends{-1, -1};       ///< junction indices
+    std::array<int, 2> ends{-1, -1};  ///< junction indices
     EdgeOrigin origin = EdgeOrigin::Stroke;
     std::array<Vec2, 2> tips{Vec2::Zero(), Vec2::Zero()};  ///< fitted line at either end [px]
-    std::array<bool, 2> penEnd{true, true};  ///< a pen end or corner is there; false where the line runs on
-    std::vector<int> strokes;              ///< indices of the pending strokes that drew it
-    double inkPx = 0.0;                    ///< length of ink that supports it [px]
-    double wobblePx = 0.0;                 ///< rms distance of that ink to the fitted line [px]
+    std::array<bool, 2> penEnd{
+        true, true};           ///< a pen end or corner is there; false where the line runs on
+    std::vector<int> strokes;  ///< indices of the pending strokes that drew it
+    double inkPx = 0.0;        ///< length of ink that supports it [px]
+    double wobblePx = 0.0;     ///< rms distance of that ink to the fitted line [px]
 };
 
 /// Why something was dropped from the graph.
@@ -33,8 +34,8 @@ enum class NoiseKind { Dot, Scribble, Curve, Stray, Overshoot, ModelEdge };
 /// A stroke, or a part of one, that is not in the graph.
 struct NoiseItem {
     NoiseKind kind = NoiseKind::Stray;
-    int stroke = -1;                 ///< index of the pending stroke, -1 for a model edge
-    std::vector<Vec2> polyline;      ///< what to draw as dropped [px]
+    int stroke = -1;             ///< index of the pending stroke, -1 for a model edge
+    std::vector<Vec2> polyline;  ///< what to draw as dropped [px]
 };
 
 /// A stroke end that meets nothing within the distance threshold although it points at something.

@@ -7,12 +7,12 @@
 
 namespace ew {
 
-/// The graph without some of its edges: what that leaves dangling goes too, and where two edges are left at
-/// a junction without a corner they become one. Removed ink is listed as stray noise.
+/// The graph without some of its edges: what that leaves dangling goes too, and where two edges are
+/// left at a junction without a corner they become one. Removed ink is listed as stray noise.
 EdgeGraph withoutEdges(const EdgeGraph& graph, const std::vector<int>& edges);
 
-/// The connected parts of a graph, the one with the most ink first. Noise, dangling edges and open ends
-/// stay with the first.
+/// The connected parts of a graph, the one with the most ink first. Noise, dangling edges and open
+/// ends stay with the first.
 std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph);
 
 /// Bounding-box diagonal of the junctions [px].

@@ -25,20 +25,22 @@ struct Fit {
     double cost;  ///< rms distance in units of the spread of a stroke end
 };
 
-/// The middle of a gap between two ends that point at each other: a line drawn in two strokes. There the
-/// lines' directions say nothing about where they meet.
+/// The middle of a gap between two ends that point at each other: a line drawn in two strokes.
+/// There the lines' directions say nothing about where they meet.
 std::optional<Fit> tryBridge(const std::vector<InkLine>& lines, const LineEnd& a, const LineEnd& b,
                              const JoinOptions& options) {
     const InkLine& la = lines[at(a.line)];
     const InkLine& lb = lines[at(b.line)];
     if (outward(la, a.side).dot(outward(lb, b.side)) > -tol::kBreakCosine) return std::nullopt;
     const Vec2 gap = tip(lb, b.side) - tip(la, a.side);
-    const Vec2 axis = (outward(la, a.side) * la.length() - outward(lb, b.side) * lb.length()).normalized();
+    const Vec2 axis =
+        (outward(la, a.side) * la.length() - outward(lb, b.side) * lb.length()).normalized();
     const double beside = std::abs(cross2(axis, gap));
     const double along = axis.dot(gap);  // negative where they overlap
     const double shorter = std::min(la.length(), lb.length());
     if (beside > std::min(tol::kBreakBeside * options.distancePx, 0.5 * shorter) ||
-        std::abs(along) > options.breakReach * options.distancePx * options.scale || along < -0.5 * shorter) {
+        std::abs(along) > options.breakReach * options.distancePx * options.scale ||
+        along < -0.5 * shorter) {
         return std::nullopt;
     }
     const double cost = std::hypot(beside / (2 * tol::kEndSpreadAcross * options.distancePx),
@@ -115,7 +117,8 @@ std::vector<EndCluster> joinEnds(const std::vector<InkLine>& lines, const JoinOp
             clusters.push_back({tip(lines[l], side), {{static_cast<int>(l), side}}});
         }
     }
-    const double pairReach = std::max(2.6, options.breakReach + 1.0) * options.distancePx * options.scale;
+    const double pairReach =
+        std::max(2.6, options.breakReach + 1.0) * options.distancePx * options.scale;
     std::vector<int> version(clusters.size(), 0);
     std::vector<std::vector<int>> near(clusters.size());
     std::priority_queue<Proposal> queue;
@@ -123,7 +126,8 @@ std::vector<EndCluster> joinEnds(const std::vector<InkLine>& lines, const JoinOp
         const EndCluster& ca = clusters[at(a)];
         const EndCluster& cb = clusters[at(b)];
         auto fit = tryJoin(lines, ca, cb, options);
-        if (!fit && ca.ends.size() == 1 && cb.ends.size() == 1 && ca.ends[0].line != cb.ends[0].line) {
+        if (!fit && ca.ends.size() == 1 && cb.ends.size() == 1 &&
+            ca.ends[0].line != cb.ends[0].line) {
             fit = tryBridge(lines, ca.ends[0], cb.ends[0], options);
         }
         if (fit) queue.push({fit->cost, a, b, version[at(a)], version[at(b)]});
@@ -144,9 +148,8 @@ std::vector<EndCluster> joinEnds(const std::vector<InkLine>& lines, const JoinOp
         EndCluster& b = clusters[at(p.b)];
         a.ends.insert(a.ends.end(), b.ends.begin(), b.ends.end());
         const auto meeting = tryJoin(lines, {a.position, a.ends}, {}, options);
-        a.position = meeting || a.ends.size() > 2
-                         ? meetingPoint(lines, a.ends, options.distancePx)
-                         : Vec2(0.5 * (a.position + b.position));
+        a.position = meeting || a.ends.size() > 2 ? meetingPoint(lines, a.ends, options.distancePx)
+                                                  : Vec2(0.5 * (a.position + b.position));
         b.ends.clear();
         ++version[at(p.a)];
         ++version[at(p.b)];

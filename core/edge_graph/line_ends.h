@@ -22,7 +22,8 @@ struct EndCluster {
 struct JoinOptions {
     double distancePx = 14.0;  ///< the distance threshold [px]
     double scale = 1.0;        ///< multiplies the reach of every end
-    double breakReach = 1.3;   ///< widest gap in the middle of a line drawn in two strokes [thresholds]
+    double breakReach =
+        1.3;  ///< widest gap in the middle of a line drawn in two strokes [thresholds]
 };
 
 /// How far an end may be from its junction [px]: the threshold, less for short lines.
@@ -36,8 +37,8 @@ double endDistance(const InkLine& line, int side, const Vec2& junction);
 Vec2 meetingPoint(const std::vector<InkLine>& lines, const std::vector<LineEnd>& ends,
                   double distancePx);
 
-/// Joins line ends bottom up, the best fitting pair of clusters first; a cluster is valid while every end
-/// is within its reach of the common meeting point. Every end is in exactly one cluster.
+/// Joins line ends bottom up, the best fitting pair of clusters first; a cluster is valid while
+/// every end is within its reach of the common meeting point. Every end is in exactly one cluster.
 /// O(k log k) for k pairs of ends near each other.
 std::vector<EndCluster> joinEnds(const std::vector<InkLine>& lines, const JoinOptions& options);
 

@@ -82,8 +82,8 @@ void findOpenEnds(EdgeGraph& graph, double distancePx) {
         const bool freeStart = graph.dangling[e].junction < 0;
         for (std::size_t side = freeStart ? 0 : 1; side < 2; ++side) {
             if (const auto target = search.from(e, side)) {
-                graph.openEnds.push_back(
-                    {graph.dangling[e].ends[side], target->point, target->gap, static_cast<int>(e)});
+                graph.openEnds.push_back({graph.dangling[e].ends[side], target->point, target->gap,
+                                          static_cast<int>(e)});
             }
         }
     }

@@ -107,9 +107,8 @@ class Planarizer {
         for (std::size_t l = 0; l < lines_.size(); ++l) {
             const int line = static_cast<int>(l);
             if (attached(line, vertex)) continue;
-            const double reach =
-                std::min(options_.throughReach * options_.join.distancePx,
-                         0.2 * lines_[l].length());
+            const double reach = std::min(options_.throughReach * options_.join.distancePx,
+                                          0.2 * lines_[l].length());
             if (offset(line, p) <= reach && inside(line, parameter(line, p))) attach(line, vertex);
         }
     }

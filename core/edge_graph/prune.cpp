@@ -117,8 +117,8 @@ bool uniteCertain(RawGraph& graph, double distancePx) {
         const RawGraph::Edge& b = graph.edges[at(incidence[v][1])];
         if (otherEnd(a, vi) == otherEnd(b, vi)) continue;
         const Bend bend = bendAt(graph, vi, a, b);
-        const bool slight = bend.turnDeg < tol::kStraightDeg &&
-                            bend.bendPx < tol::kSurelyStraightBend * distancePx;
+        const bool slight =
+            bend.turnDeg < tol::kStraightDeg && bend.bendPx < tol::kSurelyStraightBend * distancePx;
         if (!oneLine(a, b) && !slight) continue;
         unite(graph, vi, incidence[v][0], incidence[v][1]);
         return true;
@@ -161,7 +161,8 @@ std::optional<Bend> leastBend(const RawGraph& graph, double distancePx) {
         const RawGraph::Edge& b = graph.edges[at(incidence[v][1])];
         if (otherEnd(a, vi) == otherEnd(b, vi)) continue;
         const Bend bend = bendAt(graph, vi, a, b);
-        if (bend.turnDeg > tol::kBrokenTurnDeg || bend.bendPx > tol::kBrokenBend * distancePx) continue;
+        if (bend.turnDeg > tol::kBrokenTurnDeg || bend.bendPx > tol::kBrokenBend * distancePx)
+            continue;
         if (!least || bend.bendPx < least->bendPx) least = bend;
     }
     return least;

@@ -20,12 +20,14 @@ struct PrunedEdge {
 /// Takes out everything that borders no region: dangling trees and bridges. Returns what was taken.
 std::vector<PrunedEdge> pruneOpen(RawGraph& graph);
 
-/// Unites the two edges at every vertex of degree two that is certainly no corner (one line, or a bend
-/// too slight to be meant), and edges that join the same two vertices (a retrace that consolidation left).
+/// Unites the two edges at every vertex of degree two that is certainly no corner (one line, or a
+/// bend too slight to be meant), and edges that join the same two vertices (a retrace that
+/// consolidation left).
 void dissolveCertain(RawGraph& graph, double distancePx);
 
-/// The vertex of degree two that bends least among those that may be no corner, and how much [px]: where an
-/// edge was drawn in two strokes the hand leaves such a bend, but a flat corner looks the same.
+/// The vertex of degree two that bends least among those that may be no corner, and how much [px]:
+/// where an edge was drawn in two strokes the hand leaves such a bend, but a flat corner looks the
+/// same.
 struct Bend {
     int vertex = -1;
     double bendPx = 0.0;

@@ -74,7 +74,8 @@ PlacedBody placeRectilinear(const Template& tmpl, const RectilinearStructure& r,
                             const Sighting& sighting, const OrthographicCamera& camera) {
     Mat3 frame;
     std::array<double, 3> sign{1, 1, 1};
-    for (std::size_t a = 0; a < 3; ++a) frame.col(static_cast<Eigen::Index>(a)) = axes[a].normalized();
+    for (std::size_t a = 0; a < 3; ++a)
+        frame.col(static_cast<Eigen::Index>(a)) = axes[a].normalized();
     if (frame.determinant() < 0) {
         // The body frame is right-handed; a left-handed drawing counts its first axis backwards.
         frame.col(0) = -frame.col(0);

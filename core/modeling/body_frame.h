@@ -24,8 +24,8 @@ PlacedBody placeRectilinear(const Template& tmpl, const RectilinearStructure& r,
                             const AffinePicture& picture, const std::array<Vec3, 3>& axes,
                             const Sighting& sighting, const OrthographicCamera& camera);
 
-/// Any other template: z along the normal of its first face, x along that face's first edge; coordinates that
-/// differ by rounding only are made equal.
+/// Any other template: z along the normal of its first face, x along that face's first edge;
+/// coordinates that differ by rounding only are made equal.
 PlacedBody placeGeneral(const Template& tmpl, const CameraPoints& points, const Sighting& sighting,
                         const OrthographicCamera& camera);
 

@@ -10,6 +10,7 @@
 #include "core/modeling/body_frame.h"
 #include "core/modeling/general_fit.h"
 #include "core/modeling/rectilinear_fit.h"
+#include "core/modeling/start_points.h"
 
 namespace ew {
 namespace {
@@ -20,8 +21,8 @@ constexpr double kRadian = 180.0 / std::numbers::pi;
 /// Squared distances of line ends to the projected edges over what this hand's noise explains.
 double misfit(const Sighting& s, const TemplateAnalysis& analysis, const CameraPoints& points,
               double noisePx, const Thresholds& thresholds) {
-    const double directionDeg = std::min(thresholds.angleDeg * tol::kDirectionShare,
-                                         0.1 + tol::kDirectionPerPx * noisePx);
+    const double directionDeg =
+        std::min(thresholds.angleDeg * tol::kDirectionShare, 0.1 + tol::kDirectionPerPx * noisePx);
     double sum = 0;
     for (const DrawnEdge& d : s.edges) {
         const auto& ends = analysis.edges[at(d.edge)].ends;
@@ -41,9 +42,12 @@ double misfit(const Sighting& s, const TemplateAnalysis& analysis, const CameraP
 class Reader {
   public:
     Reader(const EdgeGraph& graph, const GraphMatch& match, const ReadingContext& context)
-        : match_(match), options_(context.options), entry_(*match.entry),
+        : match_(match),
+          options_(context.options),
+          entry_(*match.entry),
           sighting_(sightingOf(graph, match, context.options.thresholds.distancePx)),
-          noisePx_(context.noisePx), worthCost_(context.worthCost) {
+          noisePx_(context.noisePx),
+          worthCost_(context.worthCost) {
         sighting_.doubt = std::clamp(noisePx_ - tol::kNoiseFloorPx, 0.0, 1.0);
     }
 
@@ -70,7 +74,8 @@ class Reader {
                 SolverRelations relations = solverRelations(entry_.analysis);
                 addReading(relations, entry_.analysis, reading.relations, symmetry);
                 if (!tried.insert(relationKey(relations)).second) continue;
-                const auto s = solveGeneral(entry_.tmpl, entry_.analysis, sighting_, relations, start);
+                const auto s =
+                    solveGeneral(entry_.tmpl, entry_.analysis, sighting_, relations, start);
                 if (s && (!best || s->cost < best->cost)) best = s;
             }
             if (best) addGeneral(*best, reading.id, reading.name);
@@ -114,12 +119,12 @@ class Reader {
         const double misfitSum =
             misfit(sighting_, entry_.analysis, points, noisePx_, options_.thresholds);
         r.misfit = misfitSum / static_cast<double>(2 * sighting_.edges.size());
-        r.cost = misfitSum + tol::kFreedomCost * parameters + tol::kMissingEdgeCost * match_.missingEdges;
+        r.cost = misfitSum + tol::kFreedomCost * parameters +
+                 tol::kMissingEdgeCost * match_.missingEdges;
         r.parallelDeg = match_.parallelDeg;
-        r.withinThresholds =
-            match_.parallelDeg <= options_.thresholds.angleDeg &&
-            match_.bentDeg <= 2 * options_.thresholds.angleDeg &&
-            c.residualPx <= tol::kClearResidual * options_.thresholds.distancePx;
+        r.withinThresholds = match_.parallelDeg <= options_.thresholds.angleDeg &&
+                             match_.bentDeg <= 2 * options_.thresholds.angleDeg &&
+                             c.residualPx <= tol::kClearResidual * options_.thresholds.distancePx;
         if (match_.missingEdges > 0) {
             c.notes.push_back(match_.missingEdges == 1
                                   ? "One edge that was not drawn was added."
@@ -135,15 +140,17 @@ class Reader {
         const RectilinearStructure& r = *entry_.analysis.rectilinear;
         for (std::size_t v = 0; v < entry_.tmpl.shape.vertices.size(); ++v) {
             Vec3 p(picture.origin.x(), picture.origin.y(), 0);
-            for (std::size_t a = 0; a < 3; ++a) p += picture.position[a][at(r.planes[a][v])] * axes[a];
+            for (std::size_t a = 0; a < 3; ++a)
+                p += picture.position[a][at(r.planes[a][v])] * axes[a];
             points.push_back(p);
         }
         bool mirrored = false;
-        if (rule != DepthRule::Oblique && !facesLookRight(entry_.tmpl, sighting_, points, mirrored)) {
+        if (rule != DepthRule::Oblique &&
+            !facesLookRight(entry_.tmpl, sighting_, points, mirrored)) {
             return;
         }
-        // The ink is compared with the affine picture that it was fitted to: the oblique reading is no
-        // parallel projection, so the solid's own picture differs from it by design.
+        // The ink is compared with the affine picture that it was fitted to: the oblique reading is
+        // no parallel projection, so the solid's own picture differs from it by design.
         CameraPoints drawn;
         for (std::size_t v = 0; v < points.size(); ++v) {
             const Vec2 p = picture.at(r, v);
@@ -185,16 +192,22 @@ class Reader {
         const RectilinearStructure& r = *entry_.analysis.rectilinear;
         const int parameters = 2 + r.planeCount[0] + r.planeCount[1] + r.planeCount[2];
         const CriticalAngle critical = criticalAngle(*picture);
-        const double spread =
-            critical.spreadDeg * noisePx_ / std::max(sighting_.acrossPx, 1e-9);
+        const double spread = critical.spreadDeg * noisePx_ / std::max(sighting_.acrossPx, 1e-9);
         const bool solved = addOrthographic(*picture, DepthRule::Orthographic, parameters);
         const bool doubtful = critical.offDeg < tol::kUnreliableCornerDeg;
-        if (solved && !doubtful) return;
+        if (solved && !doubtful) {
+            // The drawing says what it is; the oblique reading is there for those who never draw
+            // otherwise.
+            const double price = out_.front().cost + tol::kUnlikelyReadingCost;
+            if (critical.offDeg < tol::kObliqueLimitDeg && addOblique(*picture, parameters) < 1e9) {
+                out_.back().cost = price;
+            }
+            return;
+        }
 
         double snapMoved = 0;
         if (!solved) {
-            const AffinePicture snapped =
-                snapToSolvable(*picture, tol::kSnapMarginDeg, snapMoved);
+            const AffinePicture snapped = snapToSolvable(*picture, tol::kSnapMarginDeg, snapMoved);
             if (critical.offDeg + tol::kSnapMarginDeg > tol::kSnapLimitDeg ||
                 !addOrthographic(snapped, DepthRule::Snapped, parameters)) {
                 impossibleCorner = cornerPlace(critical);
@@ -203,13 +216,14 @@ class Reader {
             } else {
                 out_.back().candidate.readingName = "Nearest parallel projection";
                 out_.back().candidate.notes.push_back(
-                    "The corner has no exact solution; the nearest drawing that has one was taken.");
+                    "The corner has no exact solution; the nearest drawing that has one was "
+                    "taken.");
             }
         }
         const double obliqueMoved = addOblique(*picture, parameters);
         if (out_.size() < 2) return;
-        // Which comes first: the one that moves the ink less, but a solution that rests on an angle which this
-        // hand cannot have meant exactly yields to the oblique reading.
+        // Which comes first: the one that moves the ink less, but a solution that rests on an angle
+        // which this hand cannot have meant exactly yields to the oblique reading.
         const bool unsure = solved && critical.offDeg < 2.0 * spread;
         const bool obliqueFirst = unsure || (!solved && obliqueMoved <= snapMoved);
         if (obliqueFirst) {
@@ -231,7 +245,8 @@ class Reader {
         c.readingId = "oblique";
         c.readingName = "Oblique";
         c.obliqueFactor = options_.obliqueFactor;
-        c.notes.push_back("Read as an oblique drawing: the front face is true, the depth is a choice.");
+        c.notes.push_back(
+            "Read as an oblique drawing: the front face is true, the depth is a choice.");
         return moved;
     }
 
@@ -244,9 +259,8 @@ class Reader {
         for (const int f : sighting_.visibleFaces) {
             const auto& loop = entry_.tmpl.shape.faces[at(f)];
             const int plane = r.planes[axis][at(loop[0])];
-            const bool across = std::all_of(loop.begin(), loop.end(), [&](int v) {
-                return r.planes[axis][at(v)] == plane;
-            });
+            const bool across = std::all_of(loop.begin(), loop.end(),
+                                            [&](int v) { return r.planes[axis][at(v)] == plane; });
             if (!across) continue;
             front += picture.position[axis][at(plane)];
             count += 1;
@@ -263,7 +277,8 @@ class Reader {
             if (!sighting_.seen[v]) continue;
             int classes = 0;
             for (const DrawnEdge& d : sighting_.edges) {
-                if (d.vertex[0] != static_cast<int>(v) && d.vertex[1] != static_cast<int>(v)) continue;
+                if (d.vertex[0] != static_cast<int>(v) && d.vertex[1] != static_cast<int>(v))
+                    continue;
                 if (entry_.analysis.edges[at(d.edge)].directionClass != critical.axis) ++classes;
             }
             if (classes >= 2) return sighting_.vertexPx[v];
@@ -272,9 +287,8 @@ class Reader {
     }
 
     void general() {
-        const double atLeast =
-            tol::kFreedomCost * templateFreedoms(entry_.tmpl, entry_.analysis) +
-            tol::kMissingEdgeCost * match_.missingEdges;
+        const double atLeast = tol::kFreedomCost * templateFreedoms(entry_.tmpl, entry_.analysis) +
+                               tol::kMissingEdgeCost * match_.missingEdges;
         if (atLeast > worthCost_) return;
         const SolverRelations relations = solverRelations(entry_.analysis);
         std::optional<GeneralSolution> best;
@@ -296,12 +310,13 @@ class Reader {
         rated.candidate.spec = body.spec;
         rated.candidate.pose = body.pose;
         rated.candidate.readingId = id;
-        rated.candidate.readingName = s.freedoms == 0 && id == "default" ? "Parallel projection" : name;
+        rated.candidate.readingName =
+            s.freedoms == 0 && id == "default" ? "Parallel projection" : name;
         if (s.freedoms > 0) {
             rated.candidate.notes.push_back(
-                (s.freedoms == 1 ? std::string("The drawing leaves one measure open; ")
-                                 : "The drawing leaves " + std::to_string(s.freedoms) +
-                                       " measures open; ") +
+                (s.freedoms == 1
+                     ? std::string("The drawing leaves one measure open; ")
+                     : "The drawing leaves " + std::to_string(s.freedoms) + " measures open; ") +
                 "the most regular shape was taken.");
         }
         out_.push_back(std::move(rated));

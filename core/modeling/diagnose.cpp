@@ -129,13 +129,14 @@ class Explainer {
             drop.strokes = r_.graph.dangling[at(line)].strokes;
             r_.repairs.push_back(drop);
         }
-        problem(Errc::OpenEnd,
-                (ends.size() == 1 ? "A line ends " + px(ends.front().gapPx) + " from what it should meet"
-                                  : std::to_string(ends.size()) +
-                                        " line ends meet nothing; the nearest gap is " +
-                                        px(ends.front().gapPx)) +
-                    " (the distance threshold is " + px(threshold) + ").",
-                std::move(where));
+        problem(
+            Errc::OpenEnd,
+            (ends.size() == 1
+                 ? "A line ends " + px(ends.front().gapPx) + " from what it should meet"
+                 : std::to_string(ends.size()) + " line ends meet nothing; the nearest gap is " +
+                       px(ends.front().gapPx)) +
+                " (the distance threshold is " + px(threshold) + ").",
+            std::move(where));
         nearest();
         return true;
     }
@@ -156,11 +157,13 @@ class Explainer {
             problem(Errc::NoRegion, "The lines enclose nothing: a solid needs closed outlines.",
                     std::move(where));
         } else if (curves > 0) {
-            problem(Errc::CurvedStroke,
-                    "This is a curve; solids are drawn with straight lines (round them afterwards).",
-                    std::move(where));
+            problem(
+                Errc::CurvedStroke,
+                "This is a curve; solids are drawn with straight lines (round them afterwards).",
+                std::move(where));
         } else if (scribbles > 0) {
-            problem(Errc::Scribble, "This looks like a scribble; no straight lines were found in it.",
+            problem(Errc::Scribble,
+                    "This looks like a scribble; no straight lines were found in it.",
                     std::move(where));
         } else {
             problem(Errc::OnlyNoise, "There are only dots here; draw the edges of a solid.",
@@ -176,10 +179,12 @@ class Explainer {
             where.push_back(parts[keep]->junctions.front().position);
             Repair drop;
             drop.kind = Repair::Kind::DropStrokes;
-            drop.label = keep == 0 ? "Keep the largest drawing" : "Keep drawing " + std::to_string(keep + 1);
+            drop.label =
+                keep == 0 ? "Keep the largest drawing" : "Keep drawing " + std::to_string(keep + 1);
             drop.from = drop.to = where.back();
             std::set<int> kept;
-            for (const GraphEdge& e : parts[keep]->edges) kept.insert(e.strokes.begin(), e.strokes.end());
+            for (const GraphEdge& e : parts[keep]->edges)
+                kept.insert(e.strokes.begin(), e.strokes.end());
             std::set<int> gone;
             for (std::size_t p = 0; p < parts.size(); ++p) {
                 if (p == keep) continue;
@@ -201,9 +206,11 @@ class Explainer {
     bool impossibleCorner() {
         if (!f_.impossibleCorner) return false;
         const Vec2 p = *f_.impossibleCorner;
-        r_.culprits.push_back({Culprit::Kind::ImpossibleCorner, p, p, "no right-angled corner looks like this", -1, -1});
+        r_.culprits.push_back({Culprit::Kind::ImpossibleCorner, p, p,
+                               "no right-angled corner looks like this", -1, -1});
         problem(Errc::ImpossibleCorner,
-                "This corner cannot be right-angled: at a Y all three angles must be over 90 degrees, at an "
+                "This corner cannot be right-angled: at a Y all three angles must be over 90 "
+                "degrees, at an "
                 "arrow both inner angles under 90 with a sum over 90.",
                 {p});
         return true;
@@ -243,19 +250,22 @@ class Explainer {
                 Repair raise;
                 raise.kind = Repair::Kind::RaiseAngle;
                 raise.value = deg + 1;
-                raise.label = "Raise the angle threshold to " + std::to_string(deg + 1) + " degrees";
+                raise.label =
+                    "Raise the angle threshold to " + std::to_string(deg + 1) + " degrees";
                 r_.repairs.push_back(raise);
             }
             problem(Errc::NotParallel,
-                    "This could be a " + c.templateName + ", but an edge is " + std::to_string(deg) +
+                    "This could be a " + c.templateName + ", but an edge is " +
+                        std::to_string(deg) +
                         " degrees off its parallels (the angle threshold is " +
                         std::to_string(static_cast<int>(std::lround(angle))) + ").",
                     std::move(where));
         } else {
-            for (const GraphEdge& e : r_.graph.edges) where.push_back(0.5 * (e.tips[0] + e.tips[1]));
+            for (const GraphEdge& e : r_.graph.edges)
+                where.push_back(0.5 * (e.tips[0] + e.tips[1]));
             problem(Errc::NoSolution,
-                    "The lines fit no " + c.templateName + " closely: they are " + px(c.residualPx) +
-                        " off on average.",
+                    "The lines fit no " + c.templateName + " closely: they are " +
+                        px(c.residualPx) + " off on average.",
                     std::move(where));
         }
         useCandidate(0, "Take it as a " + c.templateName + " all the same");
@@ -305,7 +315,8 @@ class Explainer {
             names += " or " + all[i].candidate.templateName;
             useCandidate(static_cast<int>(i), "Take the " + all[i].candidate.templateName);
         }
-        problem(Errc::Ambiguous, "This can be read as " + names + "; choose one.", std::move(where));
+        problem(Errc::Ambiguous, "This can be read as " + names + "; choose one.",
+                std::move(where));
     }
 
     void noMatch() {
@@ -313,11 +324,14 @@ class Explainer {
         markBadJunctions();
         std::vector<Vec2> where;
         for (const Culprit& c : r_.culprits) {
-            if (c.kind == Culprit::Kind::BadJunction || c.kind == Culprit::Kind::ExtraEdge) where.push_back(c.at);
+            if (c.kind == Culprit::Kind::BadJunction || c.kind == Culprit::Kind::ExtraEdge)
+                where.push_back(c.at);
         }
-        if (where.empty() && !r_.graph.junctions.empty()) where.push_back(r_.graph.junctions.front().position);
-        std::string message = "No template shows " + count(r_.graph.junctions.size(), "corner", "corners") +
-                              " and " + count(r_.graph.edges.size(), "edge", "edges") + " like this.";
+        if (where.empty() && !r_.graph.junctions.empty())
+            where.push_back(r_.graph.junctions.front().position);
+        std::string message = "No template shows " +
+                              count(r_.graph.junctions.size(), "corner", "corners") + " and " +
+                              count(r_.graph.edges.size(), "edge", "edges") + " like this.";
         if (r_.nearest) {
             message += " The nearest is " + r_.nearest->templateName + difference_ + ".";
         }
@@ -347,8 +361,8 @@ class Explainer {
                 for (std::size_t i = 0; i < ours.size(); ++i) off += std::abs(ours[i] - theirs[i]);
                 const int edges = static_cast<int>(a.graph.edges.size()) -
                                   static_cast<int>(r_.graph.edges.size());
-                const int corners = static_cast<int>(a.vertex.size()) -
-                                    static_cast<int>(r_.graph.junctions.size());
+                const int corners =
+                    static_cast<int>(a.vertex.size()) - static_cast<int>(r_.graph.junctions.size());
                 off += 0.5 * std::abs(edges) + 0.5 * std::abs(corners);
                 if (off >= best) continue;
                 best = off;
@@ -380,7 +394,8 @@ class Explainer {
             if (--left[at(std::min(mine[j], 5))] >= 0) continue;
             const Vec2 p = r_.graph.junctions[j].position;
             r_.culprits.push_back({Culprit::Kind::BadJunction, p, p,
-                                   std::to_string(mine[j]) + " lines meet here", static_cast<int>(j), -1});
+                                   std::to_string(mine[j]) + " lines meet here",
+                                   static_cast<int>(j), -1});
         }
     }
 

@@ -12,14 +12,14 @@ namespace ew {
 /// What the pipeline knows when no candidate was accepted.
 struct Findings {
     const std::vector<RatedCandidate>* candidates = nullptr;  ///< best first
-    std::optional<Vec2> impossibleCorner;                     ///< a drawn corner that breaks Perkins' law
-    std::vector<EdgeGraph> otherParts;                        ///< further connected drawings
-    bool ambiguous = false;                                   ///< two different candidates too close
-    bool blockedByOpenEnd = false;                            ///< a match exists, but only without an open line
+    std::optional<Vec2> impossibleCorner;  ///< a drawn corner that breaks Perkins' law
+    std::vector<EdgeGraph> otherParts;     ///< further connected drawings
+    bool ambiguous = false;                ///< two different candidates too close
+    bool blockedByOpenEnd = false;         ///< a match exists, but only without an open line
 };
 
-/// Says why: fills problem, culprits, repairs and nearest of an interpretation whose graph and candidates
-/// are set. The first reason that applies is the one told; see Errc.
+/// Says why: fills problem, culprits, repairs and nearest of an interpretation whose graph and
+/// candidates are set. The first reason that applies is the one told; see Errc.
 void explain(Interpretation& reading, const Findings& findings, const TemplateLibrary& library,
              const InterpretOptions& options);
 

@@ -34,7 +34,8 @@ class Rows {
     }
     MatrixXd jacobian() const {
         using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-        return Eigen::Map<const RowMajor>(data_.data(), static_cast<Index>(values_.size()), columns_);
+        return Eigen::Map<const RowMajor>(data_.data(), static_cast<Index>(values_.size()),
+                                          columns_);
     }
     /// Scales every row to a gradient of length one, so that a value is about a distance.
     void normalise() {
@@ -59,7 +60,10 @@ class Solver {
   public:
     Solver(const Template& tmpl, const TemplateAnalysis& analysis, const Sighting& sighting,
            const SolverRelations& relations)
-        : tmpl_(tmpl), analysis_(analysis), s_(sighting), relations_(relations),
+        : tmpl_(tmpl),
+          analysis_(analysis),
+          s_(sighting),
+          relations_(relations),
           columns_(static_cast<Index>(3 * tmpl.shape.vertices.size())) {
         Eigen::AlignedBox2d box;
         for (const DrawnEdge& d : s_.edges) {
@@ -87,8 +91,8 @@ class Solver {
         for (const Vec3& p : start) {
             points_.emplace_back((p - Vec3(center_.x(), center_.y(), 0)) / s_.sizePx);
         }
-        // Far from a solution redundant relations contradict each other, so they begin as a growing penalty;
-        // near it their rank is plain, and the null-space steps end at full precision.
+        // Far from a solution redundant relations contradict each other, so they begin as a growing
+        // penalty; near it their rank is plain, and the null-space steps end at full precision.
         for (const double weight : {10.0, 100.0, 1e4}) descend(weight);
         for (int i = 0; i < 40; ++i) {
             if (polish() < 1e-11) break;
@@ -300,7 +304,8 @@ class Solver {
         return l;
     }
 
-    /// Directions that keep the relations: those that the ink determines and those that it does not.
+    /// Directions that keep the relations: those that the ink determines and those that it does
+    /// not.
     struct FreeDirections {
         MatrixXd seen;
         MatrixXd unseen;
@@ -342,17 +347,17 @@ class Solver {
         return 0.0;
     }
 
-    /// One round of sequential quadratic programming: back onto the relations, then the ink, then, along what
-    /// the ink leaves open, regularity. Returns the size of the largest step.
+    /// One round of sequential quadratic programming: back onto the relations, then the ink, then,
+    /// along what the ink leaves open, regularity. Returns the size of the largest step.
     double polish() {
         const Linearised l = linearise();
         points_ = moved(points_, l.toFeasible);
         const FreeDirections free = freeDirections(l);
         const double ink = stepWithin(free.seen, {inkResiduals(points_), regularity(points_)},
                                       [this](const CameraPoints& x) { return costOf(x); });
-        const double shape =
-            stepWithin(free.unseen, {regularity(points_)},
-                       [this](const CameraPoints& x) { return regularity(x).values().squaredNorm(); });
+        const double shape = stepWithin(
+            free.unseen, {regularity(points_)},
+            [this](const CameraPoints& x) { return regularity(x).values().squaredNorm(); });
         return std::max({ink, shape, l.toFeasible.cwiseAbs().maxCoeff()});
     }
 
@@ -364,7 +369,8 @@ class Solver {
         if (!(out.constraint < 1e-9)) return std::nullopt;
         const Linearised l = linearise();
         out.freedoms = static_cast<int>(freeDirections(l).unseen.cols());
-        // All of them, seen or not: at a special shape (a frustum that is a box) some vanish from sight only.
+        // All of them, seen or not: at a special shape (a frustum that is a box) some vanish from
+        // sight only.
         out.parameters = static_cast<int>(l.free.cols());
         out.cost = costOf(points_);
         for (const Vec3& p : points_) {
@@ -372,7 +378,8 @@ class Solver {
         }
         bool mirrored = false;
         if (facesLookRight(tmpl_, s_, out.points, mirrored)) return out;
-        // The other Necker root: mirrored in depth the solid has the same picture and the same relations.
+        // The other Necker root: mirrored in depth the solid has the same picture and the same
+        // relations.
         for (Vec3& p : out.points) p.z() = -p.z();
         if (facesLookRight(tmpl_, s_, out.points, mirrored)) return out;
         return std::nullopt;
@@ -434,60 +441,6 @@ std::optional<GeneralSolution> solveGeneral(const Template& tmpl, const Template
                                             const SolverRelations& relations,
                                             const CameraPoints& start) {
     return Solver(tmpl, analysis, sighting, relations).run(start);
-}
-
-std::vector<CameraPoints> startPoints(const Template& tmpl, const Sighting& sighting,
-                                      const Aspect& aspect, bool mirrored) {
-    struct Start {
-        double misfit;
-        CameraPoints points;
-    };
-    std::vector<Start> starts;
-    for (const Vec3& direction : aspect.directions) {
-        const Vec3 helper = std::abs(direction.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-        const Vec3 right = direction.cross(helper).normalized();
-        const Vec3 down = direction.cross(right);
-        CameraPoints view;
-        for (const Vec3& p : tmpl.shape.vertices) {
-            view.emplace_back((mirrored ? -1.0 : 1.0) * p.dot(right), p.dot(down), p.dot(direction));
-        }
-        // Similarity (complex numbers): drawn = c * view + shift.
-        Vec2 meanV = Vec2::Zero();
-        Vec2 meanD = Vec2::Zero();
-        double n = 0;
-        for (std::size_t v = 0; v < view.size(); ++v) {
-            if (!sighting.seen[v]) continue;
-            meanV += view[v].head<2>();
-            meanD += sighting.vertexPx[v];
-            n += 1;
-        }
-        meanV /= n;
-        meanD /= n;
-        Vec2 c = Vec2::Zero();
-        double norm = 0;
-        for (std::size_t v = 0; v < view.size(); ++v) {
-            if (!sighting.seen[v]) continue;
-            const Vec2 a = view[v].head<2>() - meanV;
-            const Vec2 b = sighting.vertexPx[v] - meanD;
-            c += Vec2(a.dot(b), cross2(a, b));
-            norm += a.squaredNorm();
-        }
-        c /= std::max(norm, 1e-12);
-        Start s{0.0, {}};
-        for (std::size_t v = 0; v < view.size(); ++v) {
-            const Vec2 a = view[v].head<2>() - meanV;
-            const Vec2 p = meanD + Vec2(c.x() * a.x() - c.y() * a.y(), c.y() * a.x() + c.x() * a.y());
-            if (sighting.seen[v]) s.misfit += (p - sighting.vertexPx[v]).squaredNorm();
-            const Vec2 xy = sighting.seen[v] ? sighting.vertexPx[v] : p;
-            s.points.emplace_back(xy.x(), xy.y(), c.norm() * view[v].z());
-        }
-        starts.push_back(std::move(s));
-    }
-    std::stable_sort(starts.begin(), starts.end(),
-                     [](const Start& a, const Start& b) { return a.misfit < b.misfit; });
-    std::vector<CameraPoints> points;
-    for (Start& s : starts) points.push_back(std::move(s.points));
-    return points;
 }
 
 }  // namespace ew

@@ -29,8 +29,8 @@ struct Reading {
     bool ambiguous = false;
 };
 
-/// Tolerances to try, the plain ones first. None joins ends at a corner from farther than the distance
-/// threshold; only a gap inside an edge may be wider.
+/// Tolerances to try, the plain ones first. None joins ends at a corner from farther than the
+/// distance threshold; only a gap inside an edge may be wider.
 const std::vector<ReadingOptions>& readingOptions() {
     static const std::vector<ReadingOptions> kOptions{
         {},
@@ -58,19 +58,21 @@ double strayPrice(const EdgeGraph& graph, double distancePx) {
     return price;
 }
 
-/// Price of ink that strays from its edge more than this hand wobbles: two edges taken for one, most likely.
+/// Price of ink that strays from its edge more than this hand wobbles: two edges taken for one,
+/// most likely.
 double bentPrice(const EdgeGraph& graph, double wobblePx) {
     const double usual = std::max(wobblePx, tol::kWobbleLeastPx);
     double price = 0;
     for (const GraphEdge& e : graph.edges) {
         const double excess = e.wobblePx * e.wobblePx / (usual * usual) - 4.0;
-        if (excess > 0) price += std::min(30.0, 0.25 * excess * e.inkPx / tol::kWobbleCorrelationPx);
+        if (excess > 0)
+            price += std::min(30.0, 0.25 * excess * e.inkPx / tol::kWobbleCorrelationPx);
     }
     return price;
 }
 
-/// How much dearer the next different candidate must be. A drawing with a line too many or too few could have
-/// been meant as something else altogether.
+/// How much dearer the next different candidate must be. A drawing with a line too many or too few
+/// could have been meant as something else altogether.
 double clearMargin(const Candidate& best) {
     return best.missingEdges + best.extraEdges > 0 ? tol::kClearMarginImperfect : tol::kClearMargin;
 }
@@ -102,7 +104,8 @@ class Pipeline {
   public:
     Pipeline(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
              const InterpretOptions& options)
-        : library_(library), options_(options),
+        : library_(library),
+          options_(options),
           ink_(readInk(strokes, options.thresholds.distancePx)) {}
 
     Interpretation run() {
@@ -137,8 +140,8 @@ class Pipeline {
         }
     }
 
-    /// How far this hand's lines miss, told by the graph in which they miss least: a wrong graph makes a
-    /// good hand look bad.
+    /// How far this hand's lines miss, told by the graph in which they miss least: a wrong graph
+    /// makes a good hand look bad.
     double commonNoise() const {
         double noise = std::numeric_limits<double>::infinity();
         for (const Reading& r : readings_) {
@@ -169,7 +172,8 @@ class Pipeline {
                 r.otherParts.push_back(std::move(parts[p]));
             } else {
                 for (const GraphEdge& e : parts[p].edges) {
-                    r.graph.noise.push_back({NoiseKind::Stray, e.strokes.empty() ? -1 : e.strokes.front(),
+                    r.graph.noise.push_back({NoiseKind::Stray,
+                                             e.strokes.empty() ? -1 : e.strokes.front(),
                                              {e.tips[0], e.tips[1]}});
                 }
             }
@@ -197,8 +201,10 @@ class Pipeline {
             for (RatedCandidate& c : readingsOf(r.graph, g, context_, r.impossibleCorner)) {
                 c.candidate.extraEdges = r.extraEdges;
                 c.cost += r.price;
-                if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
-                if (c.withinThresholds) worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
+                if (r.extraEdges > 0)
+                    c.candidate.notes.emplace_back("One line too many was left out.");
+                if (c.withinThresholds)
+                    worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
                 r.candidates.push_back(std::move(c));
             }
         }
@@ -231,8 +237,8 @@ class Pipeline {
         }
     }
 
-    /// Other graphs' candidates compete too: a different solid that explains the ink as well makes the choice
-    /// the person's.
+    /// Other graphs' candidates compete too: a different solid that explains the ink as well makes
+    /// the choice the person's.
     void rivals(Reading& best) const {
         if (best.candidates.empty()) return;
         const RatedCandidate& first = best.candidates.front();
@@ -310,10 +316,14 @@ class Pipeline {
 
 std::string_view operationName(Operation op) {
     switch (op) {
-        case Operation::Auto: return "auto";
-        case Operation::Create: return "create";
-        case Operation::Add: return "add";
-        case Operation::Cut: return "cut";
+        case Operation::Auto:
+            return "auto";
+        case Operation::Create:
+            return "create";
+        case Operation::Add:
+            return "add";
+        case Operation::Cut:
+            return "cut";
     }
     return "auto";
 }

@@ -74,7 +74,8 @@ class AffineFit {
     }
 
   private:
-    /// Free plane offsets: P_v = o + sum over axes of O[axis][plane], O = 0 for the first seen plane.
+    /// Free plane offsets: P_v = o + sum over axes of O[axis][plane], O = 0 for the first seen
+    /// plane.
     void initialise() {
         std::array<std::vector<int>, 3> column;
         int n = 2;
@@ -160,8 +161,8 @@ class AffineFit {
                     // The edge goes on behind something: its tip is only known to lie on the line.
                     const std::size_t v = at(a_.edges[at(d.edge)].ends[0]);
                     const Vec2& q = picture_.axes[axis];
-                    const double slide = q.dot(d.tips[end] - picture_.at(r_, v)) /
-                                         std::max(q.squaredNorm(), 1e-12);
+                    const double slide =
+                        q.dot(d.tips[end] - picture_.at(r_, v)) / std::max(q.squaredNorm(), 1e-12);
                     if (placed(v)) addRow(across, d.tips[end], v, wAcross, axis, slide);
                 }
             }
@@ -184,7 +185,8 @@ class AffineFit {
             const Vec2 q = picture_.axes[axis];
             const Vec2 across = Vec2(-q.y(), q.x()).normalized();
             const double variance = across.dot(covariance.block<2, 2>(i, i) * across);
-            picture_.angleSpread[axis] = std::sqrt(std::max(0.0, variance)) / std::max(q.norm(), 1e-9);
+            picture_.angleSpread[axis] =
+                std::sqrt(std::max(0.0, variance)) / std::max(q.norm(), 1e-9);
         }
         return x.norm();
     }
@@ -209,15 +211,23 @@ class AffineFit {
                 int above = -1;
                 for (int m = 0; m < r_.planeCount[axis]; ++m) {
                     if (!seen_[axis][at(m)]) continue;
-                    if (ref[at(m)] < ref[at(k)] && (below < 0 || ref[at(m)] > ref[at(below)])) below = m;
-                    if (ref[at(m)] > ref[at(k)] && (above < 0 || ref[at(m)] < ref[at(above)])) above = m;
+                    if (ref[at(m)] < ref[at(k)] && (below < 0 || ref[at(m)] > ref[at(below)]))
+                        below = m;
+                    if (ref[at(m)] > ref[at(k)] && (above < 0 || ref[at(m)] < ref[at(above)]))
+                        above = m;
                 }
-                if (below < 0) { below = first_[axis]; above = last_[axis]; }
-                if (above < 0) { below = first_[axis]; above = last_[axis]; }
+                if (below < 0) {
+                    below = first_[axis];
+                    above = last_[axis];
+                }
+                if (above < 0) {
+                    below = first_[axis];
+                    above = last_[axis];
+                }
                 const double share =
                     (ref[at(k)] - ref[at(below)]) / (ref[at(above)] - ref[at(below)]);
-                position[at(k)] = position[at(below)] +
-                                  share * (position[at(above)] - position[at(below)]);
+                position[at(k)] =
+                    position[at(below)] + share * (position[at(above)] - position[at(below)]);
             }
         }
     }
@@ -273,8 +283,8 @@ std::optional<std::array<double, 3>> cornerDepths(const std::array<Vec2, 3>& q) 
                                      root / std::abs(d01)};
     const std::array<std::array<double, 3>, 3> d{
         {{0.0, d01, d20}, {d01, 0.0, d12}, {d20, d12, 0.0}}};
-    const auto lead = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) -
-                                               size.begin());
+    const auto lead =
+        static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
     std::array<double, 3> t{};
     t[lead] = size[lead];
     for (std::size_t i = 0; i < 3; ++i) {

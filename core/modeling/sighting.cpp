@@ -84,8 +84,8 @@ bool facesLookRight(const Template& tmpl, const Sighting& sighting, const Camera
     for (const int f : sighting.visibleFaces) visible[at(f)] = true;
     const double small = 1e-9 * sighting.sizePx * sighting.sizePx;
     for (std::size_t f = 0; f < facing.size(); ++f) {
-        // An outward normal towards the eye has negative z. A hidden face may come out as a sliver that a hand
-        // would not have drawn.
+        // An outward normal towards the eye has negative z. A hidden face may come out as a sliver
+        // that a hand would not have drawn.
         const double value = sign * facing[f];
         const double sliver = 2 * tol::kSliverSpreads * sighting.acrossPx * span[f];
         if (visible[f] ? value > -small : value < -sliver) return false;

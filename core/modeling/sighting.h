@@ -11,10 +11,11 @@ namespace ew {
 
 /// A template edge as it was drawn.
 struct DrawnEdge {
-    int edge = -1;                         ///< TemplateAnalysis::edges
-    std::array<int, 2> vertex{-1, -1};     ///< template vertex at either end, -1: the edge goes on, hidden
+    int edge = -1;  ///< TemplateAnalysis::edges
+    std::array<int, 2> vertex{-1,
+                              -1};  ///< template vertex at either end, -1: the edge goes on, hidden
     std::array<Vec2, 2> tips{Vec2::Zero(), Vec2::Zero()};  ///< ends of the fitted line [px]
-    std::array<bool, 2> penEnd{true, true};  ///< GraphEdge::penEnd
+    std::array<bool, 2> penEnd{true, true};                ///< GraphEdge::penEnd
     double length() const { return (tips[1] - tips[0]).norm(); }
     Vec2 direction() const { return (tips[1] - tips[0]).normalized(); }
 };
@@ -22,14 +23,14 @@ struct DrawnEdge {
 /// What a match says was seen of a template.
 struct Sighting {
     std::vector<DrawnEdge> edges;
-    std::vector<Vec2> vertexPx;       ///< per template vertex: drawn position (where seen)
-    std::vector<bool> seen;           ///< per template vertex
-    std::vector<int> visibleFaces;    ///< template faces towards the eye
-    double acrossPx = 1.0;            ///< spread of line ends across the line [px], weights the fits
-    double alongPx = 4.0;             ///< ... and along it
-    double sizePx = 1.0;              ///< diagonal of the drawing
-    double doubt = 1.0;               ///< 0..1: how far regularity may overrule slight evidence; next to
-                                      ///< nothing where the drawing is exact
+    std::vector<Vec2> vertexPx;     ///< per template vertex: drawn position (where seen)
+    std::vector<bool> seen;         ///< per template vertex
+    std::vector<int> visibleFaces;  ///< template faces towards the eye
+    double acrossPx = 1.0;          ///< spread of line ends across the line [px], weights the fits
+    double alongPx = 4.0;           ///< ... and along it
+    double sizePx = 1.0;            ///< diagonal of the drawing
+    double doubt = 1.0;  ///< 0..1: how far regularity may overrule slight evidence; next to
+                         ///< nothing where the drawing is exact
 };
 
 Sighting sightingOf(const EdgeGraph& graph, const GraphMatch& match, double distancePx);
@@ -43,8 +44,8 @@ using CameraPoints = std::vector<Vec3>;
 double residualPx(const Sighting& sighting, const TemplateAnalysis& analysis,
                   const CameraPoints& points);
 
-/// True where the template's visible faces, and only front-facing ones among them, look at the eye; `mirrored`
-/// receives whether the points are a mirror image of the template (negative volume).
+/// True where the template's visible faces, and only front-facing ones among them, look at the eye;
+/// `mirrored` receives whether the points are a mirror image of the template (negative volume).
 bool facesLookRight(const Template& tmpl, const Sighting& sighting, const CameraPoints& points,
                     bool& mirrored);
 

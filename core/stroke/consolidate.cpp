@@ -27,8 +27,7 @@ bool retraces(const InkLine& line, const InkLine& s, const ConsolidateOptions& o
     const double reach = o.distancePx * o.scale;
     const double shorter = std::min(line.length(), s.length());
     const double slack = 0.35 * reach / std::max(shorter, 1e-9);
-    const double limit =
-        tol::kOvertraceDeg * o.scale * std::numbers::pi / 180.0 + std::atan(slack);
+    const double limit = tol::kOvertraceDeg * o.scale * std::numbers::pi / 180.0 + std::atan(slack);
     const double sine = std::abs(cross2(line.direction(), s.direction()));
     if (sine > std::sin(std::min(limit, 0.6))) return false;
 

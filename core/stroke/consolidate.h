@@ -9,10 +9,10 @@ namespace ew {
 
 /// A line as it was meant: one segment, or several that retrace each other.
 struct InkLine {
-    Vec2 a = Vec2::Zero();      ///< [px]
-    Vec2 b = Vec2::Zero();      ///< [px]
-    std::vector<int> strokes;   ///< ascending, distinct
-    std::vector<Vec2> points;   ///< all ink [px]
+    Vec2 a = Vec2::Zero();     ///< [px]
+    Vec2 b = Vec2::Zero();     ///< [px]
+    std::vector<int> strokes;  ///< ascending, distinct
+    std::vector<Vec2> points;  ///< all ink [px]
     double inkPx = 0.0;
 
     double length() const { return (b - a).norm(); }
@@ -24,9 +24,9 @@ struct ConsolidateOptions {
     double scale = 1.0;        ///< multiplies every tolerance; < 1 keeps close lines apart
 };
 
-/// Merges overtraced lines by angle, distance and overlap; the merged line is fitted to the ink of all.
-/// Broken lines (end to end) stay apart here: whether they are one edge depends on what else ends there.
-/// O(n^2) in the number of segments.
+/// Merges overtraced lines by angle, distance and overlap; the merged line is fitted to the ink of
+/// all. Broken lines (end to end) stay apart here: whether they are one edge depends on what else
+/// ends there. O(n^2) in the number of segments.
 std::vector<InkLine> consolidate(const std::vector<Segment>& segments,
                                  const ConsolidateOptions& options);
 

@@ -22,7 +22,8 @@ class RunResidual {
         for (const Vec2& p : nodes) origin += p;
         origin /= static_cast<double>(n);  // keeps the sums small, so differences stay exact
         arc_.resize(n, 0.0);
-        for (std::size_t i = 1; i < n; ++i) arc_[i] = arc_[i - 1] + (nodes[i] - nodes[i - 1]).norm();
+        for (std::size_t i = 1; i < n; ++i)
+            arc_[i] = arc_[i - 1] + (nodes[i] - nodes[i - 1]).norm();
         for (std::size_t i = 0; i < n; ++i) {
             const double before = i > 0 ? arc_[i] - arc_[i - 1] : 0.0;
             const double after = i + 1 < n ? arc_[i + 1] - arc_[i] : 0.0;
@@ -69,9 +70,9 @@ class RunResidual {
 
 namespace {
 
-/// Nodes where the path may turn: local maxima of the distance to the chord between two nodes at the same
-/// distance before and behind, at several scales. At most kMaxCandidates, the sharpest first; the two ends
-/// always.
+/// Nodes where the path may turn: local maxima of the distance to the chord between two nodes at
+/// the same distance before and behind, at several scales. At most kMaxCandidates, the sharpest
+/// first; the two ends always.
 std::vector<std::size_t> cornerCandidates(const std::vector<Vec2>& nodes, double spacing) {
     const auto n = static_cast<std::ptrdiff_t>(nodes.size());
     std::vector<std::pair<double, std::size_t>> found;
@@ -195,9 +196,8 @@ void refineCuts(const std::vector<Vec2>& nodes, std::vector<std::size_t>& cuts) 
 }
 
 double runRms(const std::vector<Vec2>& nodes, std::size_t first, std::size_t last) {
-    const RunResidual residual(
-        {nodes.begin() + static_cast<std::ptrdiff_t>(first),
-         nodes.begin() + static_cast<std::ptrdiff_t>(last + 1)});
+    const RunResidual residual({nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                                nodes.begin() + static_cast<std::ptrdiff_t>(last + 1)});
     return std::sqrt(residual(0, last - first) / std::max(residual.length(), 1e-9));
 }
 

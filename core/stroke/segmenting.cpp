@@ -40,8 +40,8 @@ double extent(const std::vector<Vec2>& points) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// Evenly spaced points along the path; vertices between two long straight runs are kept, so that an
-/// exact polyline keeps its exact corners.
+/// Evenly spaced points along the path; vertices between two long straight runs are kept, so that
+/// an exact polyline keeps its exact corners.
 std::vector<Vec2> resample(const std::vector<Vec2>& points, double spacing) {
     std::vector<Vec2> out{points.front()};
     double carried = 0;  // arc length since the last emitted point
@@ -106,8 +106,8 @@ Segment makeSegment(const std::vector<Vec2>& nodes, std::size_t first, std::size
     const std::vector<Vec2> all(nodes.begin() + static_cast<std::ptrdiff_t>(first),
                                 nodes.begin() + static_cast<std::ptrdiff_t>(last + 1));
     s.inkPx = pathLength(all);
-    // Ink beside a corner is rounded off by the hand, and the node next to it may lie beyond the true
-    // corner: the fit leaves a little out.
+    // Ink beside a corner is rounded off by the hand, and the node next to it may lie beyond the
+    // true corner: the fit leaves a little out.
     const bool cornerBefore = first > 0;
     const bool cornerAfter = last + 1 < nodes.size();
     const double margin = std::max(1.01 * spacing, std::min(5.0, 0.12 * s.inkPx));
@@ -156,7 +156,8 @@ double angleBetween(const Vec2& u, const Vec2& v) {
     return std::abs(std::atan2(cross2(u, v), u.dot(v)));
 }
 
-/// Share of the turn at a corner that happens close to it: near 1 for a corner, near 0.3 on a circle.
+/// Share of the turn at a corner that happens close to it: near 1 for a corner, near 0.3 on a
+/// circle.
 double sharpness(const std::vector<Vec2>& nodes, std::size_t i, std::size_t j, std::size_t k) {
     auto direction = [&](std::size_t from, std::size_t to) {
         std::vector<Vec2> part(nodes.begin() + static_cast<std::ptrdiff_t>(from),
@@ -200,7 +201,11 @@ class CutCleaner {
   public:
     CutCleaner(const std::vector<Vec2>& nodes, std::vector<std::size_t>& cuts, double distancePx,
                double wobblePx)
-        : nodes_(nodes), cuts_(cuts), distancePx_(distancePx), wobblePx_(wobblePx), arc_(nodes.size()) {
+        : nodes_(nodes),
+          cuts_(cuts),
+          distancePx_(distancePx),
+          wobblePx_(wobblePx),
+          arc_(nodes.size()) {
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             arc_[i] = arc_[i - 1] + (nodes[i] - nodes[i - 1]).norm();
         }
@@ -328,8 +333,7 @@ StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, dou
     CutCleaner(nodes, cuts, distancePx, wobblePx).run();
     refineCuts(nodes, cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
-        reading.segments.push_back(
-            makeSegment(nodes, cuts[c], cuts[c + 1], index, spacing));
+        reading.segments.push_back(makeSegment(nodes, cuts[c], cuts[c + 1], index, spacing));
         reading.segments.back().joinedToNext = c + 2 < cuts.size();
         if (c > 0) meetAtCorner(reading.segments[c - 1], reading.segments[c], distancePx);
     }

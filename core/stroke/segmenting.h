@@ -28,17 +28,17 @@ struct StrokeReading {
 };
 
 /// Splits one stroke at its corners and fits a line to each piece.
-/// The corners are the optimal piecewise-linear partition of the resampled stroke: dynamic programming
-/// over all partitions with total-least-squares residuals, the number of pieces chosen by a
-/// penalised likelihood that knows how much the hand wobbles. (Chosen over ShortStraw,
-/// Wolin et al. 2008, whose fixed window finds only three gestures in four whole.) Hooks at either end
+/// The corners are the optimal piecewise-linear partition of the resampled stroke: dynamic
+/// programming over all partitions with total-least-squares residuals, the number of pieces chosen
+/// by a penalised likelihood that knows how much the hand wobbles. (Chosen over ShortStraw, Wolin
+/// et al. 2008, whose fixed window finds only three gestures in four whole.) Hooks at either end
 /// are trimmed first; a stroke that retraces its own line is one segment.
 /// \param stroke      n >= 1 finite samples [Sketch Plane px, y down], time order; any density.
 /// \param index       copied to Segment::stroke.
 /// \param distancePx  the distance threshold [px], > 0: the scale of what is small.
 /// \param wobblePx    how far this hand strays from straight lines, rms [px], > 0.
-/// \return kind Dot, Scribble or Curve where the stroke is no polyline: it is never forced to be one.
-/// Cost: O(n) + O(m) with m <= 1500 resampled points.
+/// \return kind Dot, Scribble or Curve where the stroke is no polyline: it is never forced to be
+/// one. Cost: O(n) + O(m) with m <= 1500 resampled points.
 StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, double wobblePx);
 
 /// Total-least-squares line through points; ends are the extreme projections.

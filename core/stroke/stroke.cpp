@@ -9,16 +9,16 @@ namespace ew {
 Result<void> validateStroke(const Stroke& stroke) {
     if (stroke.samples.empty()) return fail(Errc::EmptySketch, "The stroke has no points.");
     if (stroke.samples.size() > kMaxSamplesPerStroke) {
-        return fail(Errc::TooManyPoints,
-                    "The stroke has " + std::to_string(stroke.samples.size()) +
-                        " points; at most " + std::to_string(kMaxSamplesPerStroke) + " are read.");
+        return fail(Errc::TooManyPoints, "The stroke has " + std::to_string(stroke.samples.size()) +
+                                             " points; at most " +
+                                             std::to_string(kMaxSamplesPerStroke) + " are read.");
     }
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         const Vec2& p = stroke.samples[i].position;
         // Written so that NaN fails too.
         if (!(std::abs(p.x()) <= kMaxCoordinatePx && std::abs(p.y()) <= kMaxCoordinatePx)) {
-            return fail(Errc::BadCoordinates, "Point " + std::to_string(i) +
-                                                  " of the stroke is not a usable position.");
+            return fail(Errc::BadCoordinates,
+                        "Point " + std::to_string(i) + " of the stroke is not a usable position.");
         }
     }
     return {};

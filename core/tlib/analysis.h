@@ -17,13 +17,15 @@ struct AnalysedEdge {
     double sense = 1.0;                ///< +1 where ends[0] -> ends[1] has the sense of its class
 };
 
-/// A template all of whose edges run along three mutually perpendicular directions. Every vertex lies on
-/// one plane perpendicular to each axis; planes[i] is the plane number of every vertex along axis i.
+/// A template all of whose edges run along three mutually perpendicular directions. Every vertex
+/// lies on one plane perpendicular to each axis; planes[i] is the plane number of every vertex
+/// along axis i.
 struct RectilinearStructure {
-    std::array<int, 3> axisClass{-1, -1, -1};      ///< direction class of each axis
-    std::array<std::vector<int>, 3> planes;        ///< per vertex
+    std::array<int, 3> axisClass{-1, -1, -1};  ///< direction class of each axis
+    std::array<std::vector<int>, 3> planes;    ///< per vertex
     std::array<int, 3> planeCount{0, 0, 0};
-    std::array<std::vector<double>, 3> reference;  ///< coordinate of each plane in the reference shape
+    std::array<std::vector<double>, 3>
+        reference;  ///< coordinate of each plane in the reference shape
 };
 
 /// What follows from a template's relations; derived once when it is loaded.

@@ -21,7 +21,8 @@ struct View {
     std::vector<double> facing;  ///< per face: normal . direction, negative towards the eye
 };
 
-View makeView(const PolyhedronSpec& shape, const TemplateAnalysis& analysis, const Vec3& direction) {
+View makeView(const PolyhedronSpec& shape, const TemplateAnalysis& analysis,
+              const Vec3& direction) {
     const Vec3 helper = std::abs(direction.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
     const Vec3 right = direction.cross(helper).normalized();
     const Vec3 down = direction.cross(right);
@@ -84,7 +85,7 @@ class Occlusion {
 
   private:
     struct Crossing {
-        int front, back;     ///< edges
+        int front, back;  ///< edges
         double tFront, tBack;
     };
 
@@ -150,8 +151,8 @@ class Occlusion {
     }
 
     bool assemble(const std::vector<std::vector<std::array<double, 2>>>& visible, Aspect& aspect) {
-        std::map<int, int> vertexOf;                      // template vertex -> graph vertex
-        std::map<std::pair<int, double>, int> tOf;        // (edge, t) -> T junction on it
+        std::map<int, int> vertexOf;                // template vertex -> graph vertex
+        std::map<std::pair<int, double>, int> tOf;  // (edge, t) -> T junction on it
         auto vertex = [&](int v) {
             const auto [it, added] = vertexOf.emplace(v, static_cast<int>(aspect.vertex.size()));
             if (added) {
@@ -160,15 +161,17 @@ class Occlusion {
             }
             return it->second;
         };
-        // A visible edge that stops in the middle stops where it passes behind another: a T junction there.
+        // A visible edge that stops in the middle stops where it passes behind another: a T
+        // junction there.
         std::map<int, std::vector<std::pair<double, int>>> onBar;
         for (std::size_t e = 0; e < visible.size(); ++e) {
             for (const auto& piece : visible[e]) {
                 for (const double t : piece) {
                     if (t == 0.0 || t == 1.0) continue;
-                    const auto c = std::find_if(
-                        crossings_.begin(), crossings_.end(),
-                        [&](const Crossing& x) { return x.back == static_cast<int>(e) && x.tBack == t; });
+                    const auto c =
+                        std::find_if(crossings_.begin(), crossings_.end(), [&](const Crossing& x) {
+                            return x.back == static_cast<int>(e) && x.tBack == t;
+                        });
                     if (c == crossings_.end()) return false;
                     const int id = static_cast<int>(aspect.vertex.size());
                     aspect.vertex.push_back(-1);
@@ -208,13 +211,14 @@ class Occlusion {
     std::vector<Crossing> crossings_;
 };
 
-/// Directions spread evenly over the sphere (Fibonacci lattice), turned so that none is along an axis.
+/// Directions spread evenly over the sphere (Fibonacci lattice), turned so that none is along an
+/// axis.
 std::vector<Vec3> spreadDirections(int count) {
     std::vector<Vec3> result;
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    const Mat3 turn = (Eigen::AngleAxisd(0.317, Vec3::UnitX()) *
-                       Eigen::AngleAxisd(0.711, Vec3::UnitY()))
-                          .toRotationMatrix();
+    const Mat3 turn =
+        (Eigen::AngleAxisd(0.317, Vec3::UnitX()) * Eigen::AngleAxisd(0.711, Vec3::UnitY()))
+            .toRotationMatrix();
     for (int i = 0; i < count; ++i) {
         const double z = 1.0 - 2.0 * (i + 0.5) / count;
         const double r = std::sqrt(1.0 - z * z);

@@ -10,30 +10,33 @@
 
 namespace ew {
 
-/// A 2D Edge Graph that a template can show (paper 4.2.1): what is visible from one class of directions.
+/// A 2D Edge Graph that a template can show (paper 4.2.1): what is visible from one class of
+/// directions.
 struct Aspect {
     std::string name;               ///< "explicit-3": three visible faces
     PlaneGraph graph;               ///< seen along directions[0], unit scale, y down
     std::vector<int> vertex;        ///< per graph vertex: template vertex, -1 for a T junction
     std::vector<int> edge;          ///< per graph edge: index into TemplateAnalysis::edges
     std::vector<int> visibleFaces;  ///< ascending
-    std::vector<Vec3> directions;   ///< template frame, unit, from the eye into the scene; well apart
-    CanonicalForm form;             ///< of graph, with one walk only
-    std::vector<bool> outer;        ///< per graph vertex: on the outline
+    std::vector<Vec3>
+        directions;           ///< template frame, unit, from the eye into the scene; well apart
+    CanonicalForm form;       ///< of graph, with one walk only
+    std::vector<bool> outer;  ///< per graph vertex: on the outline
 };
 
 /// Fills form and outer from graph.
 void indexAspect(Aspect& aspect);
 
-/// Derives the explicit aspects of a template by looking at its reference shape from all sides: directions
-/// spread over the sphere, edges that others hide removed exactly (pieces split at crossings and tested
-/// against the faces), equal graphs united. Views with fewer than two visible faces, and views that do not
-/// hang together, are left out: no drawing in free space can be read from them.
-/// Cost: a few ms for a template of 12 vertices; convex templates need no occlusion test.
+/// Derives the explicit aspects of a template by looking at its reference shape from all sides:
+/// directions spread over the sphere, edges that others hide removed exactly (pieces split at
+/// crossings and tested against the faces), equal graphs united. Views with fewer than two visible
+/// faces, and views that do not hang together, are left out: no drawing in free space can be read
+/// from them. Cost: a few ms for a template of 12 vertices; convex templates need no occlusion
+/// test.
 std::vector<Aspect> explicitAspects(const Template& tmpl, const TemplateAnalysis& analysis);
 
-/// One view: the visible edges of the shape along a direction. Empty name where the view is accidental (a face
-/// seen edge-on, a vertex over an edge).
+/// One view: the visible edges of the shape along a direction. Empty name where the view is
+/// accidental (a face seen edge-on, a vertex over an edge).
 Aspect viewAspect(const PolyhedronSpec& shape, const TemplateAnalysis& analysis,
                   const Vec3& direction);
 

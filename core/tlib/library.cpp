@@ -24,7 +24,8 @@ Result<TemplateLibrary> TemplateLibrary::withAll(std::vector<Template> templates
     for (Template& t : templates) {
         if (auto ok = checkTemplate(t, t.id); !ok) return fail(ok.error());
         if (index->byId.contains(t.id)) {
-            return fail(Errc::DuplicateId, "There is already a template with the id \"" + t.id + "\".");
+            return fail(Errc::DuplicateId,
+                        "There is already a template with the id \"" + t.id + "\".");
         }
         addToIndex(*index, std::move(t));
     }

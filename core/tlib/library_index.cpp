@@ -84,7 +84,8 @@ Aspect withoutEdge(const Aspect& aspect, int edge) {
         if (aspect.vertex[v] >= 0 || degree[v] != 2) continue;
         std::vector<std::size_t> at2;
         for (std::size_t e = 0; e < edges.size(); ++e) {
-            if (edges[e][0] == static_cast<int>(v) || edges[e][1] == static_cast<int>(v)) at2.push_back(e);
+            if (edges[e][0] == static_cast<int>(v) || edges[e][1] == static_cast<int>(v))
+                at2.push_back(e);
         }
         if (at2.size() != 2 || out.edge[at2[0]] != out.edge[at2[1]]) continue;
         auto far = [&](std::size_t e) {

@@ -36,8 +36,8 @@ struct LibraryIndex {
 /// Derives the aspects of a checked template and adds it.
 void addToIndex(LibraryIndex& index, Template tmpl);
 
-/// The aspect without one of its edges: what is left dangling by that is removed too, and a T junction
-/// that lost its stem is dissolved. Empty graph where nothing closed is left.
+/// The aspect without one of its edges: what is left dangling by that is removed too, and a T
+/// junction that lost its stem is dissolved. Empty graph where nothing closed is left.
 Aspect withoutEdge(const Aspect& aspect, int edge);
 
 }  // namespace ew

@@ -23,9 +23,9 @@ struct Drawn {
             double a = std::atan2(d.y(), d.x());
             if (a < 0) a += std::numbers::pi;
             angle.push_back(a);
-            length.push_back((graph.junctions[at(e.ends[1])].position -
-                              graph.junctions[at(e.ends[0])].position)
-                                 .norm());
+            length.push_back(
+                (graph.junctions[at(e.ends[1])].position - graph.junctions[at(e.ends[0])].position)
+                    .norm());
         }
     }
 };
@@ -47,7 +47,8 @@ void measureParallels(GraphMatch& m, const Drawn& drawn, double distancePx) {
     }
     for (std::size_t e = 0; e < m.edge.size(); ++e) {
         const Vec2& v = mean[at(a.edges[at(m.edge[e])].directionClass)];
-        const double off = std::abs(fold(drawn.angle[e] - 0.5 * std::atan2(v.y(), v.x()))) * kRadian;
+        const double off =
+            std::abs(fold(drawn.angle[e] - 0.5 * std::atan2(v.y(), v.x()))) * kRadian;
         const double excuse =
             std::atan(0.3 * distancePx / std::max(drawn.length[e], 1.0)) * kRadian;
         m.parallelDeg = std::max(m.parallelDeg, off - excuse);
@@ -90,8 +91,13 @@ std::vector<int> orbitKey(const GraphMatch& m) {
 class Matcher {
   public:
     Matcher(const EdgeGraph& graph, const LibraryIndex& library, const MatchOptions& options)
-        : graph_(graph), library_(library), options_(options), drawn_(graph),
-          plane_(planeGraph(graph)), form_(canonicalForm(plane_)), outer_(outerVertices(plane_)) {}
+        : graph_(graph),
+          library_(library),
+          options_(options),
+          drawn_(graph),
+          plane_(planeGraph(graph)),
+          form_(canonicalForm(plane_)),
+          outer_(outerVertices(plane_)) {}
 
     std::vector<GraphMatch> run() {
         if (form_.code.empty()) return {};
@@ -105,10 +111,11 @@ class Matcher {
             }
         }
         if (options_.allowMissing) tryIncomplete();
-        std::stable_sort(found_.begin(), found_.end(), [](const GraphMatch& a, const GraphMatch& b) {
-            return a.parallelDeg + a.bentDeg + 20 * a.missingEdges <
-                   b.parallelDeg + b.bentDeg + 20 * b.missingEdges;
-        });
+        std::stable_sort(found_.begin(), found_.end(),
+                         [](const GraphMatch& a, const GraphMatch& b) {
+                             return a.parallelDeg + a.bentDeg + 20 * a.missingEdges <
+                                    b.parallelDeg + b.bentDeg + 20 * b.missingEdges;
+                         });
         if (found_.size() > options_.maxMatches) found_.resize(options_.maxMatches);
         return std::move(found_);
     }
@@ -125,7 +132,8 @@ class Matcher {
         for (const AspectRef& ref : it->second) {
             const auto& entry = library_.entries[at(ref.entry)];
             if (!wanted(*entry)) continue;
-            if (++tried > 400) break;  // a library of look-alikes: the first are as good as the rest
+            if (++tried > 400)
+                break;  // a library of look-alikes: the first are as good as the rest
             const Aspect& whole = entry->aspects[at(ref.aspect)];
             auto less = std::make_shared<const Aspect>(withoutEdge(whole, ref.removedEdge));
             const int missing =
@@ -166,8 +174,7 @@ class Matcher {
             const auto want = std::minmax(aspectVertex[at(e[0])], aspectVertex[at(e[1])]);
             int image = -1;
             for (std::size_t f = 0; f < aspect.graph.edges.size(); ++f) {
-                const auto have =
-                    std::minmax(aspect.graph.edges[f][0], aspect.graph.edges[f][1]);
+                const auto have = std::minmax(aspect.graph.edges[f][0], aspect.graph.edges[f][1]);
                 if (have == want) image = aspect.edge[f];
             }
             if (image < 0) return false;

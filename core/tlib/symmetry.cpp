@@ -10,8 +10,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Flags (vertex, edge, face) with the three moves that change one of them. An automorphism is fixed by
-/// the image of one flag.
+/// Flags (vertex, edge, face) with the three moves that change one of them. An automorphism is
+/// fixed by the image of one flag.
 struct Flags {
     std::vector<int> vertex;
     std::vector<std::array<int, 3>> move;
@@ -71,7 +71,8 @@ bool keepsRelations(const TemplateAnalysis& analysis, const std::vector<int>& ma
     const auto& pairs = analysis.perpendicularClasses;
     for (const auto& p : pairs) {
         const auto m = std::minmax(classMap[at(p[0])], classMap[at(p[1])]);
-        if (!std::binary_search(pairs.begin(), pairs.end(), std::array<int, 2>{m.first, m.second})) {
+        if (!std::binary_search(pairs.begin(), pairs.end(),
+                                std::array<int, 2>{m.first, m.second})) {
             return false;
         }
     }

@@ -22,13 +22,14 @@ struct Outcome {
 
 class ReplayProgram : public ::testing::Test {
   protected:
-    Outcome run(QStringList arguments) {
+    Outcome run(const QStringList& arguments, const QString& path = qEnvironmentVariable("PATH")) {
         QProcess process;
         process.setWorkingDirectory(folder_.path());
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         // Nothing of this may need a display, and the person's own templates stay out.
         environment.remove("DISPLAY");
         environment.remove("WAYLAND_DISPLAY");
+        environment.insert("PATH", path);
         environment.insert("XDG_DATA_HOME", folder_.filePath("data"));
         process.setProcessEnvironment(environment);
         process.start(QCoreApplication::applicationDirPath() + "/../app/edgewright-replay",
@@ -170,6 +171,14 @@ TEST_F(ReplayProgram, MakesADrawnBoxSavesItAndOpensIt) {
     ASSERT_EQ(r.status, 0) << r.err;
     report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
     EXPECT_EQ(report["solid"]["vertex_positions"], positions);
+}
+
+TEST_F(ReplayProgram, SaysWhatAScreenshotNeeds) {
+    script("ok.json", R"({"do": "clear"})");
+    const Outcome r = run({"ok.json", "--screenshot", "p.png"}, "/no/such/folder");
+    EXPECT_EQ(r.status, 2);
+    EXPECT_NE(r.err.find("not-available"), std::string::npos) << r.err;
+    EXPECT_FALSE(exists("p.png"));
 }
 
 TEST_F(ReplayProgram, HelpsAndTellsItsVersion) {

@@ -104,8 +104,10 @@ TEST(BuildEdgeGraph, StrayLinesDotsAndBridgesAreDroppedAndListed) {
 
 TEST(BuildEdgeGraph, ALineThatEndsOnAnotherMakesATJunction) {
     // A square with a bar across: both ends stop 5 px short of the sides.
-    const Lines lines{{Vec2(100, 100), Vec2(300, 100)}, {Vec2(300, 100), Vec2(300, 300)},
-                      {Vec2(300, 300), Vec2(100, 300)}, {Vec2(100, 300), Vec2(100, 100)},
+    const Lines lines{{Vec2(100, 100), Vec2(300, 100)},
+                      {Vec2(300, 100), Vec2(300, 300)},
+                      {Vec2(300, 300), Vec2(100, 300)},
+                      {Vec2(100, 300), Vec2(100, 100)},
                       {Vec2(105, 180), Vec2(295, 220)}};
     const EdgeGraph g = graphOf(lines);
     EXPECT_EQ(g.junctions.size(), 6u);
@@ -134,7 +136,8 @@ TEST(WithoutEdges, TakingASpokeOfABoxLeavesTwoFaces) {
     int spoke = -1;
     for (std::size_t e = 0; e < g.edges.size(); ++e) {
         for (const int j : g.edges[e].ends) {
-            if ((g.junctions[static_cast<std::size_t>(j)].position - Vec2(400, 400)).norm() < 1e-6) {
+            if ((g.junctions[static_cast<std::size_t>(j)].position - Vec2(400, 400)).norm() <
+                1e-6) {
                 spoke = static_cast<int>(e);
             }
         }
@@ -160,9 +163,9 @@ RC_GTEST_PROP(BuildEdgeGraph, OrderAndDirectionOfStrokesDoNotMatter, ()) {
     const EdgeGraph after = graphOf(lines);
     RC_ASSERT(codeOf(before) == codeOf(after));
     for (const Junction& j : before.junctions) {
-        const bool same = std::any_of(after.junctions.begin(), after.junctions.end(), [&](const Junction& k) {
-            return (j.position - k.position).norm() < 1e-6;
-        });
+        const bool same =
+            std::any_of(after.junctions.begin(), after.junctions.end(),
+                        [&](const Junction& k) { return (j.position - k.position).norm() < 1e-6; });
         RC_ASSERT(same);
     }
 }

@@ -15,8 +15,8 @@
 namespace ew {
 namespace {
 
-/// A triangulated disc of random points with some inner edges taken out, still two-edge-connected enough to be
-/// interesting; always connected.
+/// A triangulated disc of random points with some inner edges taken out, still two-edge-connected
+/// enough to be interesting; always connected.
 PlaneGraph randomPlaneGraph(test::Random& random) {
     PlaneGraph g;
     const int n = 5 + random.index(5);
@@ -45,7 +45,8 @@ PlaneGraph relabelled(const PlaneGraph& g, bool mirror, test::Random& random) {
         out.points[static_cast<std::size_t>(to[i])] = Eigen::Rotation2Dd(a) * p;
     }
     for (const auto& e : g.edges) {
-        out.edges.push_back({to[static_cast<std::size_t>(e[1])], to[static_cast<std::size_t>(e[0])]});
+        out.edges.push_back(
+            {to[static_cast<std::size_t>(e[1])], to[static_cast<std::size_t>(e[0])]});
     }
     random.shuffle(out.edges);
     return out;
@@ -93,9 +94,10 @@ RC_GTEST_PROP(CanonicalForm, NamesRotationAndMirroringDoNotMatter, ()) {
             for (const auto& e : g.edges) {
                 const int u = map[static_cast<std::size_t>(e[0])];
                 const int v = map[static_cast<std::size_t>(e[1])];
-                const bool kept = std::any_of(other.edges.begin(), other.edges.end(), [&](const auto& f) {
-                    return (f[0] == u && f[1] == v) || (f[0] == v && f[1] == u);
-                });
+                const bool kept =
+                    std::any_of(other.edges.begin(), other.edges.end(), [&](const auto& f) {
+                        return (f[0] == u && f[1] == v) || (f[0] == v && f[1] == u);
+                    });
                 RC_ASSERT(kept);
             }
         }

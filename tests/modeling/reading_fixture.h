@@ -48,12 +48,14 @@ inline std::vector<Stroke> boxStrokes(const OrthographicCamera& camera, const Ve
         return camera.project(corner + Vec3(x * size.x(), y * size.y(), z * size.z()));
     };
     const Vec2 near = p(1, 0, 1);
-    return {line(near, p(0, 0, 1)),       line(near, p(1, 1, 1)),       line(near, p(1, 0, 0)),
-            line(p(0, 0, 1), p(0, 1, 1)), line(p(1, 1, 1), p(0, 1, 1)), line(p(1, 1, 1), p(1, 1, 0)),
-            line(p(1, 0, 0), p(1, 1, 0)), line(p(1, 0, 0), p(0, 0, 0)), line(p(0, 0, 1), p(0, 0, 0))};
+    return {
+        line(near, p(0, 0, 1)),       line(near, p(1, 1, 1)),       line(near, p(1, 0, 0)),
+        line(p(0, 0, 1), p(0, 1, 1)), line(p(1, 1, 1), p(0, 1, 1)), line(p(1, 1, 1), p(1, 1, 0)),
+        line(p(1, 0, 0), p(1, 1, 0)), line(p(1, 0, 0), p(0, 0, 0)), line(p(0, 0, 1), p(0, 0, 0))};
 }
 
-inline Interpretation readStrokes(const std::vector<Stroke>& strokes, InterpretOptions options = {}) {
+inline Interpretation readStrokes(const std::vector<Stroke>& strokes,
+                                  InterpretOptions options = {}) {
     return interpret(strokes, shippedLibrary(), options);
 }
 

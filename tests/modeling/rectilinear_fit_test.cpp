@@ -39,16 +39,18 @@ RC_GTEST_PROP(CornerDepths, EveryPerpendicularCornerIsRecoveredUpToItsMirrorImag
 TEST(CornerDepths, PerkinsLaw) {
     auto spokes = [](double a, double b, double c) {
         auto at = [](double deg) {
-            return Vec2(Vec2(std::cos(deg * 0.017453292519943295), std::sin(deg * 0.017453292519943295)) * 100);
+            return Vec2(
+                Vec2(std::cos(deg * 0.017453292519943295), std::sin(deg * 0.017453292519943295)) *
+                100);
         };
         return std::array<Vec2, 3>{at(a), at(b), at(c)};
     };
     EXPECT_TRUE(cornerDepths(spokes(0, 120, 240)));
-    EXPECT_TRUE(cornerDepths(spokes(0, 95, 200)));     // Y, all over 90
-    EXPECT_FALSE(cornerDepths(spokes(0, 80, 210)));    // Y with 80 degrees
-    EXPECT_TRUE(cornerDepths(spokes(0, 50, 100)));     // arrow, sum over 90
-    EXPECT_FALSE(cornerDepths(spokes(0, 40, 80)));     // arrow, sum under 90
-    EXPECT_FALSE(cornerDepths(spokes(0, 90, 225)));    // exactly square front
+    EXPECT_TRUE(cornerDepths(spokes(0, 95, 200)));   // Y, all over 90
+    EXPECT_FALSE(cornerDepths(spokes(0, 80, 210)));  // Y with 80 degrees
+    EXPECT_TRUE(cornerDepths(spokes(0, 50, 100)));   // arrow, sum over 90
+    EXPECT_FALSE(cornerDepths(spokes(0, 40, 80)));   // arrow, sum under 90
+    EXPECT_FALSE(cornerDepths(spokes(0, 90, 225)));  // exactly square front
 }
 
 TEST(CornerDepths, TheIsometricCubeHasEqualEdges) {
@@ -71,7 +73,8 @@ TEST(SnapToSolvable, TurnsTheShorterAxisMoreAndGivesASolution) {
     EXPECT_TRUE(cornerDepths(s.axes));
     EXPECT_GT(moved, 0);
     EXPECT_LT(moved, 20);
-    EXPECT_LT((s.axes[0] - p.axes[0]).norm() / 100, (s.axes[1] - p.axes[1]).norm() / p.axes[1].norm());
+    EXPECT_LT((s.axes[0] - p.axes[0]).norm() / 100,
+              (s.axes[1] - p.axes[1]).norm() / p.axes[1].norm());
 }
 
 }  // namespace

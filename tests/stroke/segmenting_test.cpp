@@ -34,13 +34,15 @@ Stroke arc(double radius, double fromDeg, double toDeg) {
     Stroke s;
     for (double a = fromDeg; a <= toDeg; a += 2.0) {
         const double t = a * std::numbers::pi / 180.0;
-        s.samples.push_back({Vec2(400 + radius * std::cos(t), 400 + radius * std::sin(t)), 1.0, 0.0});
+        s.samples.push_back(
+            {Vec2(400 + radius * std::cos(t), 400 + radius * std::sin(t)), 1.0, 0.0});
     }
     return s;
 }
 
 TEST(ReadStroke, ALineOfTwoSamplesIsExact) {
-    const StrokeReading r = readStroke(strokeThrough({{100, 100}, {300, 180}}, 1e9), 3, kThreshold, kWobble);
+    const StrokeReading r =
+        readStroke(strokeThrough({{100, 100}, {300, 180}}, 1e9), 3, kThreshold, kWobble);
     ASSERT_EQ(r.kind, StrokeKind::Polyline);
     ASSERT_EQ(r.segments.size(), 1u);
     EXPECT_EQ(r.segments[0].stroke, 3);
@@ -82,7 +84,8 @@ TEST(ReadStroke, AHookIsTrimmed) {
 }
 
 TEST(ReadStroke, DotsCirclesAndScribblesAreNoLines) {
-    EXPECT_EQ(readStroke(strokeThrough({{5, 5}, {8, 7}}, 1), 0, kThreshold, kWobble).kind, StrokeKind::Dot);
+    EXPECT_EQ(readStroke(strokeThrough({{5, 5}, {8, 7}}, 1), 0, kThreshold, kWobble).kind,
+              StrokeKind::Dot);
     Stroke one;
     one.samples.push_back({Vec2(5, 5), 1, 0});
     EXPECT_EQ(readStroke(one, 0, kThreshold, kWobble).kind, StrokeKind::Dot);
@@ -90,8 +93,10 @@ TEST(ReadStroke, DotsCirclesAndScribblesAreNoLines) {
     EXPECT_EQ(readStroke(arc(120, 10, 170), 0, kThreshold, kWobble).kind, StrokeKind::Curve);
     test::Random random(7);
     std::vector<Vec2> tangle;
-    for (int i = 0; i < 60; ++i) tangle.emplace_back(random.uniform(100, 160), random.uniform(100, 160));
-    EXPECT_EQ(readStroke(strokeThrough(tangle, 3), 0, kThreshold, kWobble).kind, StrokeKind::Scribble);
+    for (int i = 0; i < 60; ++i)
+        tangle.emplace_back(random.uniform(100, 160), random.uniform(100, 160));
+    EXPECT_EQ(readStroke(strokeThrough(tangle, 3), 0, kThreshold, kWobble).kind,
+              StrokeKind::Scribble);
 }
 
 TEST(ReadStroke, AHexagonIsNoCircle) {
@@ -119,7 +124,8 @@ RC_GTEST_PROP(ReadStroke, AWobblyEdgeStaysOneSegment, ()) {
     const Vec2 b = a + random.uniform(80, 260) * random.direction();
     test::HandHabits habits;
     habits.cutProbability = 0;
-    const auto strokes = test::drawByHand({{a, b}}, test::HandLevel{1.2, 3, 0, 0, 0}, random, habits);
+    const auto strokes =
+        test::drawByHand({{a, b}}, test::HandLevel{1.2, 3, 0, 0, 0}, random, habits);
     RC_ASSERT(strokes.size() == 1u);
     const StrokeReading r = readStroke(strokes[0], 0, kThreshold, 2.2);
     RC_ASSERT(r.segments.size() == 1u);
@@ -131,7 +137,8 @@ RC_GTEST_PROP(ReadStroke, ReversingAStrokeGivesTheSameLines, ()) {
     std::vector<Vec2> corners{{300, 300}};
     double angle = random.uniform(0, 6);
     for (int i = 0; i < 4; ++i) {
-        corners.push_back(corners.back() + random.uniform(60, 150) * Vec2(std::cos(angle), std::sin(angle)));
+        corners.push_back(corners.back() +
+                          random.uniform(60, 150) * Vec2(std::cos(angle), std::sin(angle)));
         angle += random.uniform(0.7, 2.2) * (random.chance(0.5) ? 1 : -1);
     }
     const Stroke forward = strokeThrough(corners, 3.7);

@@ -65,7 +65,8 @@ TEST_F(ShippedAspects, OcclusionMakesTJunctions) {
             // Two halves of one bar and a stem.
             std::map<int, int> edges;
             for (std::size_t e = 0; e < a.edge.size(); ++e) {
-                for (const int w : a.graph.edges[e]) edges[a.edge[e]] += w == static_cast<int>(v) ? 1 : 0;
+                for (const int w : a.graph.edges[e])
+                    edges[a.edge[e]] += w == static_cast<int>(v) ? 1 : 0;
             }
             std::multiset<int> counts;
             for (const auto& [e, c] : edges) {

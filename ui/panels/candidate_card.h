@@ -19,8 +19,8 @@ class CandidateCard : public QAbstractButton {
     CandidateCard(int index, Appearance& appearance, QWidget* parent = nullptr);
 
     void show(const Candidate& candidate, const OrthographicCamera& camera, bool clear);
-    QSize sizeHint() const override { return {260, 92}; }
-    QSize minimumSizeHint() const override { return {200, 92}; }
+    QSize sizeHint() const override { return {260, 100}; }
+    QSize minimumSizeHint() const override { return {200, 100}; }
 
   signals:
     void doubleClicked();

@@ -19,7 +19,7 @@
 namespace ew {
 
 namespace {
-constexpr QSize kPicture(64, 52);
+constexpr QSize kPicture(58, 48);
 // More than this are listed without a picture each.
 constexpr std::size_t kMostPictures = 200;
 }  // namespace

@@ -94,6 +94,9 @@ void FrameRenderer::render(unsigned framebuffer) {
     Private& d = *d_;
     if (!d.ready) return;
     vtkOpenGLState* state = d.window->GetState();
+    QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
+    // The painter of the last frame leaves it off; the state cache is told by Reset().
+    gl->glEnable(GL_MULTISAMPLE);
     state->Reset();
     const bool changed = d.scene.takeChanged();
     if (changed || d.mustDraw) {
@@ -104,7 +107,6 @@ void FrameRenderer::render(unsigned framebuffer) {
     }
     const int w = d.size.width();
     const int h = d.size.height();
-    QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
     state->PushDrawFramebufferBinding();
     gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     const GLenum target = framebuffer == 0 ? GL_BACK : GL_COLOR_ATTACHMENT0;

@@ -1,0 +1,48 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>ew::CandidatePanel</name>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n reading</numerusform>
+            <numerusform>%n readings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::GraphPanel</name>
+    <message numerus="yes">
+        <source>%n face(s) seen</source>
+        <translation>
+            <numerusform>%n face seen</numerusform>
+            <numerusform>%n faces seen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s)</source>
+        <translation>
+            <numerusform>%n edge</numerusform>
+            <numerusform>%n edges</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n junction(s)</source>
+        <translation>
+            <numerusform>%n junction</numerusform>
+            <numerusform>%n junctions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::MessageBar</name>
+    <message numerus="yes">
+        <source>%n other reading(s): keys 1 to 9.</source>
+        <translation>
+            <numerusform>%n other reading: keys 1 to 9.</numerusform>
+            <numerusform>%n other readings: keys 1 to 9.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
