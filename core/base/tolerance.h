@@ -85,6 +85,9 @@ inline constexpr double kEndSpreadAcross = 0.13;
 inline constexpr double kEndSpreadAlong = 0.45;
 /// An end that runs past its junction counts this much of the way: overshoot is meant as contact.
 inline constexpr double kOvershootDiscount = 0.5;
+/// Ends no farther from each other than this (fraction of the distance threshold) lie together
+/// whatever their lines say.
+inline constexpr double kTipsTogether = 1.2;
 /// Two strokes are one broken line where they point at each other (cosine) with this offset at most
 /// [fraction of the distance threshold].
 inline constexpr double kBreakCosine = 0.78;

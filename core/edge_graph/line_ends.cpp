@@ -58,11 +58,33 @@ std::optional<Fit> tryJoin(const std::vector<InkLine>& lines, const EndCluster& 
             if (ends[i].line == ends[j].line) return std::nullopt;
         }
     }
-    const Vec2 x = meetingPoint(lines, ends, options.distancePx);
+    Vec2 x = meetingPoint(lines, ends, options.distancePx);
+    auto allReach = [&](double share) {
+        return std::all_of(ends.begin(), ends.end(), [&](const LineEnd& e) {
+            const InkLine& line = lines[at(e.line)];
+            return endDistance(line, e.side, x) <= share * joinReach(line, options);
+        });
+    };
     double sum = 0;
+    if (!allReach(1.0)) {
+        // Ends that lie together although their lines, being short or wavy, point past each other.
+        x = Vec2::Zero();
+        for (const LineEnd& e : ends) x += tip(lines[at(e.line)], e.side);
+        x /= static_cast<double>(ends.size());
+        const double widest = tol::kTipsTogether * options.distancePx * options.scale;
+        for (const LineEnd& e : ends) {
+            for (const LineEnd& f : ends) {
+                if ((tip(lines[at(e.line)], e.side) - tip(lines[at(f.line)], f.side)).norm() >
+                    widest) {
+                    return std::nullopt;
+                }
+            }
+        }
+        if (!allReach(0.75)) return std::nullopt;
+        sum = 2.0 * static_cast<double>(ends.size());
+    }
     for (const LineEnd& e : ends) {
         const InkLine& line = lines[at(e.line)];
-        if (endDistance(line, e.side, x) > joinReach(line, options)) return std::nullopt;
         const Vec2 d = x - tip(line, e.side);
         const Vec2 dir = line.direction();
         const double across = cross2(dir, d) / (tol::kEndSpreadAcross * options.distancePx);
@@ -148,8 +170,7 @@ std::vector<EndCluster> joinEnds(const std::vector<InkLine>& lines, const JoinOp
         EndCluster& b = clusters[at(p.b)];
         a.ends.insert(a.ends.end(), b.ends.begin(), b.ends.end());
         const auto meeting = tryJoin(lines, {a.position, a.ends}, {}, options);
-        a.position = meeting || a.ends.size() > 2 ? meetingPoint(lines, a.ends, options.distancePx)
-                                                  : Vec2(0.5 * (a.position + b.position));
+        a.position = meeting ? meeting->position : Vec2(0.5 * (a.position + b.position));
         b.ends.clear();
         ++version[at(p.a)];
         ++version[at(p.b)];
