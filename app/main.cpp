@@ -74,6 +74,7 @@ void quitAfterScreenshot(ew::MainWindow& window, const QString& path) {
         // One turn of the event loop for the panels that follow the reading.
         QTimer::singleShot(0, &window, [&window, path] {
             QCoreApplication::processEvents();
+            QCoreApplication::processEvents();  // layouts ask for a second turn
             const bool written = window.picture().save(path, "PNG");
             if (!written) complain("The picture cannot be written to " + path.toStdString() + ".");
             QCoreApplication::exit(written ? 0 : 2);

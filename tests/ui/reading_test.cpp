@@ -168,8 +168,7 @@ TEST_F(Reading, AppliesByItselfOnlyWhenOnAndClear) {
     EXPECT_FALSE(apply.waiting()) << "two faces are open";
     document().clearStrokes();
     drawLines(Hand::Mouse, boxLines());
-    EXPECT_TRUE(apply.waiting());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 20000));
     EXPECT_FALSE(apply.waiting());
     // Taken back is not taken again.
     key(Qt::Key_Z, Qt::ControlModifier);
@@ -200,10 +199,10 @@ TEST_F(Reading, ApplyingByItselfWaitsForEscapePenAndPanels) {
     ASSERT_TRUE(apply.waiting());
     bool asked = false;
     apply.setBusyTest([&] { return std::exchange(asked, true), inUse; });
-    EXPECT_TRUE(QTest::qWaitFor([&] { return asked; }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return asked; }, 20000));
     EXPECT_TRUE(document().state().bodies.empty()) << "a panel is in use";
     inUse = false;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !document().state().bodies.empty(); }, 20000));
 }
 
 TEST_F(Reading, HistoryGoesToTheStepThatIsClicked) {

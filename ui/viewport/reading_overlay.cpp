@@ -3,7 +3,8 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <cmath>
+#include <algorithm>
+#include <vector>
 
 #include "ui/viewport/sketch_plane.h"
 #include "ui/viewport/wireframe.h"
@@ -79,15 +80,11 @@ class Painter {
     void culprits() {
         p_.setBrush(Qt::NoBrush);
         for (const Culprit& culprit : o_.reading->culprits) mark(culprit);
-        for (const Culprit& culprit : o_.reading->culprits) {
-            if (culprit.label.empty()) continue;
-            const QPointF tip = at(culprit.at);
-            const QPointF to = at(culprit.to);
-            const double reach = radiusOf(culprit) + 6.0;
-            // Beside the ring, on the side away from what the end should meet.
-            const double side = to.x() > tip.x() ? -1.0 : 1.0;
-            paintLabel(p_, tip + QPointF(side * reach, 0.0), QString::fromStdString(culprit.label),
-                       c_, bounds_);
+        // Open ends first: they are what a click repairs.
+        for (const bool openEnds : {true, false}) {
+            for (const Culprit& culprit : o_.reading->culprits) {
+                if ((culprit.kind == Culprit::Kind::OpenEnd) == openEnds) label(culprit);
+            }
         }
     }
 
@@ -96,6 +93,43 @@ class Painter {
 
     double radiusOf(const Culprit& culprit) const {
         return culprit.kind == Culprit::Kind::OpenEnd ? o_.thresholds.distancePx * scale_ : kRingPx;
+    }
+
+    /// Beside the ring where there is room; a label that would cover another one or another ring is
+    /// left out, the ring says enough.
+    void label(const Culprit& culprit) {
+        if (culprit.label.empty()) return;
+        const QString text = QString::fromStdString(culprit.label);
+        const QFontMetricsF metrics(p_.font());
+        const QSizeF size(metrics.horizontalAdvance(text) + 12, metrics.height() + 6);
+        const QPointF tip = at(culprit.at);
+        const double reach = radiusOf(culprit) + 6.0;
+        const double aside = reach + size.width() / 2;
+        const double above = reach + size.height() / 2;
+        for (const QPointF& offset :
+             {QPointF(aside, 0), QPointF(-aside, 0), QPointF(0, -above), QPointF(0, above)}) {
+            QRectF plate(QPointF(0, 0), size);
+            plate.moveCenter(tip + offset);
+            const bool free =
+                bounds_.contains(plate) &&
+                std::none_of(plates_.begin(), plates_.end(),
+                             [&](const QRectF& other) { return other.intersects(plate); });
+            if (!free) continue;
+            paintPlate(plate, text);
+            plates_.push_back(plate);
+            return;
+        }
+    }
+
+    void paintPlate(const QRectF& plate, const QString& text) {
+        QColor back = c_.surface;
+        back.setAlphaF(0.92F);
+        p_.setPen(QPen(c_.border, 1.0));
+        p_.setBrush(back);
+        p_.drawRoundedRect(plate, 4, 4);
+        p_.setBrush(Qt::NoBrush);
+        p_.setPen(c_.warning);
+        p_.drawText(plate, Qt::AlignCenter, text);
     }
 
     void mark(const Culprit& culprit) {
@@ -112,6 +146,7 @@ class Painter {
         p_.setPen(QPen(c_.warning, 1.6));
         const double r = radiusOf(culprit);
         p_.drawEllipse(tip, r, r);
+        plates_.emplace_back(tip.x() - r, tip.y() - r, 2 * r, 2 * r);
         if (culprit.kind != Culprit::Kind::OpenEnd) return;
         QPen gap(c_.warning, 1.4);
         gap.setDashPattern({3.0, 3.0});
@@ -130,29 +165,10 @@ class Painter {
     QRectF bounds_;
     QTransform map_;
     double scale_;
+    std::vector<QRectF> plates_;  // taken: rings and labels
 };
 
 }  // namespace
-
-void paintLabel(QPainter& painter, const QPointF& at, const QString& text,
-                const ThemeColours& colours, const QRectF& bounds) {
-    const QFontMetricsF metrics(painter.font());
-    QRectF plate(0, 0, metrics.horizontalAdvance(text) + 12, metrics.height() + 6);
-    const bool leftward = at.x() > bounds.center().x();
-    plate.moveCenter({at.x() + (leftward ? -1 : 1) * plate.width() / 2, at.y()});
-    plate.moveLeft(
-        std::max(bounds.left() + 2, std::min(plate.left(), bounds.right() - 2 - plate.width())));
-    plate.moveTop(
-        std::max(bounds.top() + 2, std::min(plate.top(), bounds.bottom() - 2 - plate.height())));
-    QColor back = colours.surface;
-    back.setAlphaF(0.92F);
-    painter.setPen(QPen(colours.border, 1.0));
-    painter.setBrush(back);
-    painter.drawRoundedRect(plate, 4, 4);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(colours.warning);
-    painter.drawText(plate, Qt::AlignCenter, text);
-}
 
 void paintReading(QPainter& painter, const ReadingOverlay& overlay, const ThemeColours& colours,
                   const QRectF& bounds) {

@@ -27,8 +27,4 @@ struct ReadingOverlay {
 void paintReading(QPainter& painter, const ReadingOverlay& overlay, const ThemeColours& colours,
                   const QRectF& bounds);
 
-/// A short text on a plate, moved into the bounds.
-void paintLabel(QPainter& painter, const QPointF& at, const QString& text,
-                const ThemeColours& colours, const QRectF& bounds);
-
 }  // namespace ew

@@ -22,6 +22,7 @@ namespace {
 constexpr double kEdgeWidthPx = 1.6;
 constexpr double kHiddenWidthPx = 1.1;
 constexpr double kGridWidthPx = 1.0;
+constexpr double kEdgeLiftPx = 3.0;  // of depth
 constexpr double kDashPx = 7.0;
 // Dashes are cut anew when the scale differs by more than this factor.
 constexpr double kDashSlack = 1.25;
@@ -101,6 +102,10 @@ struct Scene::Private {
         c->SetViewUp(up.x(), up.y(), up.z());
         c->SetParallelScale(camera.worldPerPixel * camera.height / 2.0);
         c->SetClippingRange(0.9 * radius, 3.1 * radius);
+        // Towards the eye, which in a parallel projection moves nothing on the screen: where a line
+        // covers the border of a face, the face's depth there is only guessed by the card.
+        const Vec3 nearer = -camera.direction * (kEdgeLiftPx * camera.worldPerPixel);
+        edges->SetPosition(nearer.x(), nearer.y(), nearer.z());
     }
 
     void updateWidths() {
@@ -130,20 +135,21 @@ Scene::Scene() : d_(std::make_unique<Private>()) {
     makeUnlit(d.hidden);
     vtkProperty* look = d.faces->GetProperty();
     look->SetInterpolationToFlat();
-    look->SetAmbient(0.32);
-    look->SetDiffuse(0.72);
+    look->SetAmbient(0.46);
+    look->SetDiffuse(0.62);
     look->SetSpecular(0.0);
-    // Faces step back a little in depth so that their own edges are never torn.
+    // Faces step back in depth by more than half the width of a line, so that an edge is whole even
+    // where its face comes nearer from it.
     d.facesMapper->SetResolveCoincidentTopologyToPolygonOffset();
-    d.facesMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 2.0);
+    d.facesMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.5, 4.0);
     d.gridMapper->SetScalarModeToUsePointData();
     d.renderer->AddActor(d.grid);
     d.renderer->AddActor(d.faces);
     d.renderer->AddActor(d.hidden);
     d.renderer->AddActor(d.edges);
     d.renderer->AutomaticLightCreationOff();
-    d.addLight(-0.45, 0.9, 0.75, 0.85);
-    d.addLight(0.9, -0.1, 0.6, 0.1);
+    d.addLight(-0.4, 0.85, 0.9, 0.85);
+    d.addLight(0.9, -0.1, 0.6, 0.14);
     d.updateWidths();
     setColours(lightColours());
     setBodies({});

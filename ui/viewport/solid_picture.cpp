@@ -25,9 +25,9 @@ QPolygonF polygonOf(const SeenFace& face, double scale) {
 
 QRgb shade(const Vec3& normalInCamera, const ThemeColours& colours) {
     // The viewport's main light, from the upper left in front; y points down here.
-    const Vec3 light = Vec3(-0.45, -0.9, -0.75).normalized();
+    const Vec3 light = Vec3(-0.4, -0.85, -0.9).normalized();
     const double lit = std::max(0.0, normalInCamera.dot(light));
-    const double k = 0.48 + 0.52 * lit;
+    const double k = 0.56 + 0.44 * lit;
     const QColor c = colours.body;
     return qRgb(static_cast<int>(c.red() * k), static_cast<int>(c.green() * k),
                 static_cast<int>(c.blue() * k));
