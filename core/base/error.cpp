@@ -59,6 +59,24 @@ std::string_view errcName(Errc code) {
             return "self-intersecting";
         case Errc::NoVolume:
             return "no-volume";
+        case Errc::NoChange:
+            return "no-change";
+        case Errc::NothingLeft:
+            return "nothing-left";
+        case Errc::TouchesInEdge:
+            return "touches-in-edge";
+        case Errc::TouchesInPoint:
+            return "touches-in-point";
+        case Errc::Sliver:
+            return "sliver";
+        case Errc::Contradiction:
+            return "contradiction";
+        case Errc::NoEdge:
+            return "no-edge";
+        case Errc::NoSurface:
+            return "no-surface";
+        case Errc::TooMuchMemory:
+            return "too-much-memory";
         case Errc::Syntax:
             return "syntax";
         case Errc::WrongFormat:

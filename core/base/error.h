@@ -43,6 +43,16 @@ enum class Errc {
     NotPlanar,         ///< "not-planar"
     SelfIntersecting,  ///< "self-intersecting"
     NoVolume,          ///< "no-volume"
+    NoChange,          ///< "no-change": the operation would leave the solid as it is
+    NothingLeft,       ///< "nothing-left": the operation would leave no solid
+    TouchesInEdge,     ///< "touches-in-edge": the solid would touch itself in an edge only
+    TouchesInPoint,    ///< "touches-in-point": the solid would touch itself in a point only
+    Sliver,            ///< "sliver": parts or gaps far thinner than anything that can be drawn
+    Contradiction,     ///< "contradiction": no shape obeys all the constraints
+    // Surface
+    NoEdge,         ///< "no-edge": no edge was chosen
+    NoSurface,      ///< "no-surface": there is no surface under the strokes
+    TooMuchMemory,  ///< "too-much-memory": the result would exceed the limit that is set
     // Files and scripts
     Syntax,            ///< "syntax": not JSON
     WrongFormat,       ///< "wrong-format": JSON, but not this format

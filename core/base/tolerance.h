@@ -56,6 +56,21 @@ inline constexpr double kPlaneGrid = 0x1p-40;
 /// Longest exact coordinate that making faces planar may produce [bits]: three planes give about
 /// 300, chains of dependent planes more; beyond this, exact predicates cost more than facets do.
 inline constexpr unsigned kMaxRealizedBits = 4096;
+/// Edges and near misses of a boolean's result shorter than this, relative, come from a tool that
+/// misses the solid by rounding: what is meant to coincide coincides exactly, what can be drawn is
+/// a thousand times larger.
+inline constexpr double kSliverRelative = 1e-9;
+/// Longest exact coordinate that a boolean may produce [bits]. What coincides by exact constraints
+/// stays far below; only long chains of parts that each hang on slanted ones before come here.
+inline constexpr unsigned kMaxExactBits = 8192;
+/// What a tool's doubles have in common with the solid within this, relative (for normals: the sine
+/// of the angle), is meant to be exact: an anchoring solver ends near 1e-12.
+inline constexpr double kToolSnap = 1e-7;
+/// Largest move of a tool's corner by its rules, as a fraction of its size: a drawing that needs
+/// more was read wrongly.
+inline constexpr double kToolMove = 1e-2;
+/// Largest sine of a near miss that is taken for a right angle between two free faces of a tool.
+inline constexpr double kToolRightAngle = 1e-9;
 /// A template's relations hold for its reference shape within this: cosine, sine, or length
 /// difference relative to the size. Files give irrational lengths with 7 digits or more.
 inline constexpr double kTemplateRelation = 1e-6;
@@ -188,12 +203,23 @@ inline constexpr double kUnseenPlaneCost = 8.0;
 inline constexpr double kSecondLookCost = 2.0;
 /// Hands miss corners by more than their lines wobble: line ends are off by about this many times
 /// the wobble.
-inline constexpr double kMissPerWobble = 1.7;
+inline constexpr double kMissPerWobble = 2.5;
+/// Two line ends that aim at one point lie this many times as far apart, per axis, as this hand's
+/// lines wobble.
+inline constexpr double kSpreadPerWobble = 3.6;
 /// A candidate whose line ends miss it by this many variances on average leaves doubt about the
 /// graph.
 inline constexpr double kDoubtfulMisfit = 3.0;
 /// Price of a reading that is offered although the drawing speaks against it.
 inline constexpr double kUnlikelyReadingCost = 12.0;
+/// A candidate is taken by itself only where it explains the ink but for this share: so much for
+/// each edge beyond the second that it shows, so much at most.
+inline constexpr double kUnexplainedPerEdge = 0.018;
+inline constexpr double kMostUnexplained = 0.16;
+/// Edges may turn from their direction class by what moving an end by this share of the distance
+/// threshold does, or by this many spreads of this hand's line ends.
+inline constexpr double kTurnExcuse = 0.3;
+inline constexpr double kTurnSpreads = 1.5;
 /// A candidate is clear where the next different one costs this much more.
 inline constexpr double kClearMargin = 4.0;
 inline constexpr double kClearMarginImperfect = 16.0;
@@ -203,5 +229,39 @@ inline constexpr double kClearResidual = 0.55;
 /// noise, at most this share of the angle threshold.
 inline constexpr double kDirectionPerPx = 2.0;
 inline constexpr double kDirectionShare = 0.25;
+
+// Fillet, subdivision and strokes on the surface.
+
+/// Share of an edge's length, or of the distance between two edges of a face, that fillets leave
+/// over when they are clamped: a face that shrinks to nothing would have no normal.
+inline constexpr double kFilletRest = 0.01;
+/// A setback that weighs less than this in a clamp, against the heaviest one, is not stopped by it:
+/// what it uses up stays within kFilletRest.
+inline constexpr double kFilletLightWeight = 0.02;
+/// Points of a fillet nearer than this share of the setback are one point.
+inline constexpr double kFilletSamePoint = 1e-7;
+/// A corner patch is one flat face where its points lie within this share of the setback in a
+/// plane.
+inline constexpr double kFilletFlat = 1e-9;
+/// Least sine of the angle at which the side of a strip is prolonged to the neighbouring sharp
+/// edge: below it the strip's end would lie more than two setbacks away.
+inline constexpr double kFilletCutSine = 0.5;
+/// Two filleted edges of a face that are this near to one straight line (sine of the angle between
+/// them) meet in a step, because their sides would meet far away or never.
+inline constexpr double kFilletStraightSine = 0.5;
+/// Arcs that turn by less than this [rad] are drawn straight: their sagitta is below 1e-4 setbacks.
+inline constexpr double kFilletArcAngle = 1e-3;
+/// Triangles are apart where a separating plane leaves this share of the model's size: a few
+/// roundings of coordinates.
+inline constexpr double kApartRelative = 1e-13;
+/// Two triangles on one edge lie on each other where the sine of the angle between them is below
+/// this: rounded points of faces that are truly apart keep more.
+inline constexpr double kFoldedSine = 1e-9;
+/// Two triangles join to a quadrangle where each of its corners turns by more than this sine: flatter
+/// corners make subdivision wrinkle.
+inline constexpr double kLeastQuadSine = 0.05;
+/// A support loop goes no farther into a spike than at this value of 1 + cosine of the turn: about 160
+/// degrees.
+inline constexpr double kSharpestInset = 0.06;
 
 }  // namespace ew::tol

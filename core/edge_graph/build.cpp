@@ -241,11 +241,24 @@ constexpr std::size_t kMostBends = 6;
 
 }  // namespace
 
+GraphDraft draftEdgeGraph(const InkReading& ink, double distancePx, const ReadingOptions& options) {
+    GraphDraft draft;
+    draft.lines = consolidate(ink.segments, {distancePx, options.mergeScale});
+    const JoinOptions join{distancePx, options.joinScale, options.breakReach};
+    draft.raw = planarize(draft.lines, joinEnds(draft.lines, join), {join, options.throughReach});
+    return draft;
+}
+
+EdgeGraph settleEdgeGraph(const InkReading& ink, const std::vector<InkLine>& lines, RawGraph raw,
+                          const std::vector<int>& straight, double distancePx) {
+    const std::vector<PrunedEdge> pruned = pruneOpen(raw);
+    straighten(raw, straight, distancePx);
+    return finish(raw, pruned, lines, ink, distancePx);
+}
+
 std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
                                        const ReadingOptions& options) {
-    const std::vector<InkLine> lines = consolidate(ink.segments, {distancePx, options.mergeScale});
-    const JoinOptions join{distancePx, options.joinScale, options.breakReach};
-    RawGraph raw = planarize(lines, joinEnds(lines, join), {join, options.throughReach});
+    auto [lines, raw, price] = draftEdgeGraph(ink, distancePx, options);
     const std::vector<PrunedEdge> pruned = pruneOpen(raw);
     dissolveCertain(raw, distancePx);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/edge_graph/edge_graph.h"
+#include "core/edge_graph/planarize.h"
 #include "core/stroke/consolidate.h"
 #include "core/stroke/stroke.h"
 
@@ -41,6 +42,21 @@ InkReading readInk(const std::vector<Stroke>& strokes, double distancePx);
 ///         drawn in two strokes. Never empty; a graph without edges where nothing is closed.
 std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
                                        const ReadingOptions& options = {});
+
+/// A graph whose ends are joined and whose lines are cut, before anything is dropped or
+/// straightened.
+struct GraphDraft {
+    std::vector<InkLine> lines;
+    RawGraph raw;
+    double price = 0.0;  ///< of the tolerances that it took, in units of twice a log-likelihood
+};
+GraphDraft draftEdgeGraph(const InkReading& ink, double distancePx,
+                          const ReadingOptions& options = {});
+
+/// Settles a draft: drops what borders no region, takes the bends at `straight` (and those that are
+/// certainly none) for the middle of an edge, fits edges and junctions to the ink.
+EdgeGraph settleEdgeGraph(const InkReading& ink, const std::vector<InkLine>& lines, RawGraph raw,
+                          const std::vector<int>& straight, double distancePx);
 
 /// The most usual one.
 EdgeGraph buildEdgeGraph(const InkReading& ink, double distancePx,

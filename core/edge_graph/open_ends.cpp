@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/base/tolerance.h"
@@ -11,8 +12,8 @@ namespace ew {
 namespace {
 
 struct Target {
-    Vec2 point;
-    double gap;
+    Vec2 point = Vec2::Zero();
+    double gap = std::numeric_limits<double>::infinity();
 };
 
 class Search {
@@ -26,7 +27,7 @@ class Search {
         const Vec2 axis = tip_ - d.ends[1 - side];
         out_ = axis.norm() > 1e-9 ? Vec2(axis.normalized()) : Vec2(1, 0);
         limit_ = std::min(reach_, 0.75 * axis.norm());
-        best_.reset();
+        best_ = Target{};
         for (std::size_t j = 0; j < graph_.junctions.size(); ++j) {
             if (static_cast<int>(j) != d.junction) offer(graph_.junctions[j].position);
         }
@@ -40,7 +41,7 @@ class Search {
             crossAhead(graph_.junctions[static_cast<std::size_t>(e.ends[0])].position,
                        graph_.junctions[static_cast<std::size_t>(e.ends[1])].position);
         }
-        return best_;
+        return std::isfinite(best_.gap) ? std::optional<Target>(best_) : std::nullopt;
     }
 
   private:
@@ -71,7 +72,7 @@ class Search {
     Vec2 tip_ = Vec2::Zero();
     Vec2 out_ = Vec2::UnitX();
     double limit_ = 0;
-    std::optional<Target> best_;
+    Target best_;
 };
 
 }  // namespace

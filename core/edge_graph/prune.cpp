@@ -151,9 +151,9 @@ void dissolveCertain(RawGraph& graph, double distancePx) {
     }
 }
 
-std::optional<Bend> leastBend(const RawGraph& graph, double distancePx) {
+std::vector<Bend> doubtfulBends(const RawGraph& graph, double distancePx) {
     const auto incidence = graph.incidence();
-    std::optional<Bend> least;
+    std::vector<Bend> bends;
     for (std::size_t v = 0; v < incidence.size(); ++v) {
         if (incidence[v].size() != 2) continue;
         const int vi = static_cast<int>(v);
@@ -161,11 +161,19 @@ std::optional<Bend> leastBend(const RawGraph& graph, double distancePx) {
         const RawGraph::Edge& b = graph.edges[at(incidence[v][1])];
         if (otherEnd(a, vi) == otherEnd(b, vi)) continue;
         const Bend bend = bendAt(graph, vi, a, b);
-        if (bend.turnDeg > tol::kBrokenTurnDeg || bend.bendPx > tol::kBrokenBend * distancePx)
-            continue;
-        if (!least || bend.bendPx < least->bendPx) least = bend;
+        if (bend.turnDeg <= tol::kBrokenTurnDeg && bend.bendPx <= tol::kBrokenBend * distancePx) {
+            bends.push_back(bend);
+        }
     }
-    return least;
+    return bends;
+}
+
+std::optional<Bend> leastBend(const RawGraph& graph, double distancePx) {
+    const std::vector<Bend> bends = doubtfulBends(graph, distancePx);
+    const auto least =
+        std::min_element(bends.begin(), bends.end(),
+                         [](const Bend& a, const Bend& b) { return a.bendPx < b.bendPx; });
+    return least == bends.end() ? std::nullopt : std::optional<Bend>(*least);
 }
 
 void dissolveAt(RawGraph& graph, int vertex) {
@@ -173,6 +181,20 @@ void dissolveAt(RawGraph& graph, int vertex) {
     unite(graph, vertex, incidence[at(vertex)][0], incidence[at(vertex)][1]);
     while (uniteDoubles(graph)) {
     }
+}
+
+void straighten(RawGraph& graph, const std::vector<int>& vertices, double distancePx) {
+    dissolveCertain(graph, distancePx);
+    for (const int v : vertices) {
+        const auto incidence = graph.incidence();
+        const auto& around = incidence[at(v)];
+        if (around.size() != 2) continue;
+        if (otherEnd(graph.edges[at(around[0])], v) == otherEnd(graph.edges[at(around[1])], v)) {
+            continue;
+        }
+        dissolveAt(graph, v);
+    }
+    dissolveCertain(graph, distancePx);
 }
 
 }  // namespace ew

@@ -38,4 +38,10 @@ std::optional<Bend> leastBend(const RawGraph& graph, double distancePx);
 /// Unites the two edges at that vertex, and doubles that this makes.
 void dissolveAt(RawGraph& graph, int vertex);
 
+/// dissolveCertain, and dissolveAt for those of the vertices that join two edges.
+void straighten(RawGraph& graph, const std::vector<int>& vertices, double distancePx);
+
+/// All vertices of degree two that may be no corner.
+std::vector<Bend> doubtfulBends(const RawGraph& graph, double distancePx);
+
 }  // namespace ew

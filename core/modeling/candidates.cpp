@@ -108,6 +108,7 @@ class Reader {
         RatedCandidate r;
         r.entry = match_.entry;
         r.match = match_;
+        r.drawn = points;
         Candidate& c = r.candidate;
         c.templateId = entry_.tmpl.id;
         c.templateName = entry_.tmpl.name;

@@ -20,6 +20,7 @@ struct RatedCandidate {
     double parallelDeg = 0.0;  ///< GraphMatch::parallelDeg
     std::shared_ptr<const LibraryEntry> entry;
     GraphMatch match;
+    CameraPoints drawn;  ///< per template vertex: its picture and depth as fitted to the ink
 };
 
 /// How well the drawing was drawn, from the drawing itself: how far lines miss their common

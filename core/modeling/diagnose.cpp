@@ -66,7 +66,7 @@ class Explainer {
             if (!openEnds() && !impossibleCorner() && !selfCrossing()) noMatch();
         } else if (!f_.candidates->front().withinThresholds) {
             outsideThresholds();
-        } else if (f_.ambiguous) {
+        } else if (f_.ambiguous || f_.leavesInk) {
             ambiguous();
         }
         if (!r_.problem) noMatch();
@@ -315,7 +315,10 @@ class Explainer {
             names += " or " + all[i].candidate.templateName;
             useCandidate(static_cast<int>(i), "Take the " + all[i].candidate.templateName);
         }
-        problem(Errc::Ambiguous, "This can be read as " + names + "; choose one.",
+        problem(Errc::Ambiguous,
+                f_.leavesInk ? "This could be a " + names +
+                                   ", but only without some of the lines; choose it, or draw on."
+                             : "This can be read as " + names + "; choose one.",
                 std::move(where));
     }
 

@@ -8,6 +8,7 @@
 #include "core/edge_graph/build.h"
 #include "core/edge_graph/canonical.h"
 #include "core/edge_graph/edit.h"
+#include "core/edge_graph/repair.h"
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
 #include "core/modeling/interpretation.h"
@@ -24,7 +25,8 @@ struct Reading {
     std::optional<Vec2> impossibleCorner;
     int extraEdges = 0;
     double price = 0.0;  ///< of the graph: ink dropped or bent straight, second looks, extra edges
-    double cost = 0.0;   ///< of the best candidate, price included
+    double strayPrice = 0.0;  ///< ... that part of it which is for ink dropped
+    double cost = 0.0;        ///< of the best candidate, price included
     bool clear = false;
     bool ambiguous = false;
 };
@@ -43,6 +45,23 @@ const std::vector<ReadingOptions>& readingOptions() {
         {0.55, 0.6, 0.2},
         {1.0, 1.0, 0.4, 2.2},
         {0.8, 0.8, 0.4, 2.2},
+    };
+    return kOptions;
+}
+
+/// Where the search for repairs starts from.
+struct DraftOptions {
+    ReadingOptions reading;
+    double price = 0.0;
+    double leastSpread = 0.0;  ///< for hands that miss by that much only [distance thresholds]
+};
+const std::vector<DraftOptions>& draftOptions() {
+    static const std::vector<DraftOptions> kOptions{
+        {{}},
+        {{1.0, 1.3, 0.7}, tol::kSecondLookCost},
+        {{0.72, 0.6, 0.2}, tol::kSecondLookCost},
+        {{1.0, 1.6, 0.7}, 2 * tol::kSecondLookCost, 0.2},
+        {{1.4, 1.0, 0.4, 1.8}, 4 * tol::kSecondLookCost, 0.25},
     };
     return kOptions;
 }
@@ -118,6 +137,7 @@ class Pipeline {
         }
         Reading chosen = readings_[best];
         if (!chosen.clear || chosen.candidates.front().misfit > tol::kDoubtfulMisfit) {
+            tryRepairs(chosen);
             tryImperfect(chosen);
         }
         rivals(chosen);
@@ -178,7 +198,8 @@ class Pipeline {
                 }
             }
         }
-        r.price = strayPrice(r.graph, distance) + bentPrice(r.graph, ink_.wobblePx);
+        r.strayPrice = strayPrice(r.graph, distance);
+        r.price = r.strayPrice + bentPrice(r.graph, ink_.wobblePx);
         return r;
     }
 
@@ -186,6 +207,7 @@ class Pipeline {
         MatchOptions m;
         m.distancePx = options_.thresholds.distancePx;
         m.templateId = options_.templateId;
+        m.spreadPx = tol::kSpreadPerWobble * ink_.wobblePx;
         m.allowMissing = allowMissing;
         std::vector<GraphMatch> found = matchGraph(r.graph, library_.index(), m);
         std::erase_if(found, [&](const GraphMatch& g) {
@@ -200,7 +222,7 @@ class Pipeline {
             context_.worthCost = worthCost_ - r.price;
             for (RatedCandidate& c : readingsOf(r.graph, g, context_, r.impossibleCorner)) {
                 c.candidate.extraEdges = r.extraEdges;
-                c.cost += r.price;
+                c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
                 if (r.extraEdges > 0)
                     c.candidate.notes.emplace_back("One line too many was left out.");
                 if (c.withinThresholds)
@@ -210,6 +232,85 @@ class Pipeline {
         }
         sortCandidates(r.candidates);
         judge(r);
+    }
+
+    /// Small corrections of the graph, as far as this hand's errors suggest them.
+    void tryRepairs(Reading& best) {
+        const double distance = options_.thresholds.distancePx;
+        RepairOptions o;
+        o.distancePx = distance;
+        o.spreadPx = std::clamp(tol::kSpreadPerWobble * ink_.wobblePx, 0.5, 0.5 * distance);
+        const LibraryIndex& index = library_.index();
+        o.known = [&index](const PlaneGraph& shape) {
+            const CanonicalForm form = canonicalForm(shape);
+            return !form.code.empty() && index.byCode.contains(form.code);
+        };
+        std::vector<GraphDraft> drafts;
+        for (const DraftOptions& d : draftOptions()) {
+            if (o.spreadPx < d.leastSpread * distance) continue;
+            drafts.push_back(draftEdgeGraph(ink_, distance, d.reading));
+            drafts.back().price = d.price;
+        }
+        // A crowded sheet is no rough drawing of one thing; the work for a state grows with the
+        // square of its vertices.
+        std::erase_if(drafts, [](const GraphDraft& d) { return d.raw.vertices.size() > 60; });
+        for (const GraphDraft& d : drafts) {
+            const std::size_t n = d.raw.vertices.size();
+            o.maxStates = std::min(o.maxStates, 800000 / (n * n + 1));
+        }
+        for (RepairedGraph& repaired : repairedGraphs(ink_, drafts, o)) {
+            Reading r = read(std::move(repaired.graph));
+            r.extraEdges = repaired.dropped;
+            r.price += repaired.price;
+            match(r, false);
+            if (r.candidates.empty()) continue;
+            if (better(r, best)) best = r;
+            readings_.push_back(std::move(r));
+        }
+    }
+
+    /// Length of the ink that runs far from every edge of this candidate: it meant something else
+    /// [px].
+    double unexplainedPx(const RatedCandidate& c) const {
+        const double distance = options_.thresholds.distancePx;
+        const double near = std::min(distance, std::max(0.5 * distance, 3.0 * context_.noisePx));
+        double length = 0;
+        for (const Segment& s : ink_.segments) {
+            std::size_t far = 0;
+            for (const Vec2& p : s.points) {
+                const bool explained =
+                    std::any_of(c.match.edge.begin(), c.match.edge.end(), [&](int e) {
+                        const auto& ends =
+                            c.entry->analysis.edges[static_cast<std::size_t>(e)].ends;
+                        const Vec2 a = c.drawn[static_cast<std::size_t>(ends[0])].head<2>();
+                        const Vec2 b = c.drawn[static_cast<std::size_t>(ends[1])].head<2>();
+                        const Vec2 d = b - a;
+                        // Overshoot is no other line.
+                        const double past = distance / std::max(d.norm(), 1e-6);
+                        const double t = std::clamp(
+                            (p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -past, 1.0 + past);
+                        return (p - a - t * d).squaredNorm() <= near * near;
+                    });
+                if (!explained) ++far;
+            }
+            length += s.inkPx * static_cast<double>(far) / static_cast<double>(s.points.size());
+        }
+        return length;
+    }
+
+    double unexplainedPrice(const RatedCandidate& c) const {
+        return tol::kExtraEdgeCost * unexplainedPx(c) / (4.0 * options_.thresholds.distancePx);
+    }
+
+    /// Does this candidate leave more of the ink aside than a slip of the pen? The fewer edges
+    /// it shows, the less it says that they fit.
+    bool leavesTooMuch(const RatedCandidate& c) const {
+        double all = 0;
+        for (const Segment& s : ink_.segments) all += s.inkPx;
+        const auto edges = static_cast<double>(c.match.aspect->graph.edges.size());
+        const double limit =
+            std::min(tol::kMostUnexplained, tol::kUnexplainedPerEdge * (edges - 2.0));
+        return unexplainedPx(c) > limit * all;
     }
 
     /// An edge too many or too few: each edge left out in turn, then aspects with one edge less.
@@ -295,6 +396,10 @@ class Pipeline {
                     ? quality
                     : std::min(quality, out.candidates.front().score *
                                             std::exp(-std::max(0.0, c.cost - least) / 30.0));
+        }
+        if (best.clear && leavesTooMuch(best.candidates.front())) {
+            best.clear = false;
+            findings.leavesInk = true;
         }
         if (best.clear && best.otherParts.empty() && !findings.blockedByOpenEnd) {
             out.accepted = 0;

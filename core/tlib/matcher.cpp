@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "core/base/tolerance.h"
+
 namespace ew {
 namespace {
 
@@ -37,7 +39,7 @@ double fold(double a) {
 }
 
 /// Fills parallelDeg: for each direction class the length-weighted mean, then the worst deviation.
-void measureParallels(GraphMatch& m, const Drawn& drawn, double distancePx) {
+void measureParallels(GraphMatch& m, const Drawn& drawn, double excusePx) {
     const TemplateAnalysis& a = m.entry->analysis;
     std::vector<Vec2> mean(at(a.classCount), Vec2::Zero());
     for (std::size_t e = 0; e < m.edge.size(); ++e) {
@@ -49,8 +51,7 @@ void measureParallels(GraphMatch& m, const Drawn& drawn, double distancePx) {
         const Vec2& v = mean[at(a.edges[at(m.edge[e])].directionClass)];
         const double off =
             std::abs(fold(drawn.angle[e] - 0.5 * std::atan2(v.y(), v.x()))) * kRadian;
-        const double excuse =
-            std::atan(0.3 * distancePx / std::max(drawn.length[e], 1.0)) * kRadian;
+        const double excuse = std::atan(excusePx / std::max(drawn.length[e], 1.0)) * kRadian;
         m.parallelDeg = std::max(m.parallelDeg, off - excuse);
     }
 }
@@ -163,7 +164,9 @@ class Matcher {
             }
             if (!sameOutline || !mapEdges(m, *aspect, aspectVertex)) continue;
             if (!known_.insert({id, orbitKey(m)}).second) continue;
-            measureParallels(m, drawn_, options_.distancePx);
+            measureParallels(m, drawn_,
+                             std::max(tol::kTurnExcuse * options_.distancePx,
+                                      tol::kTurnSpreads * options_.spreadPx));
             measureBars(m, graph_, drawn_);
             found_.push_back(std::move(m));
         }

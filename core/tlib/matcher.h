@@ -25,8 +25,9 @@ struct GraphMatch {
 
 struct MatchOptions {
     double distancePx = 14.0;
-    std::string templateId;       ///< only this one where not empty
-    bool allowMissing = false;    ///< look for aspects with one edge more than the drawing
+    double spreadPx = 0.0;      ///< how far this hand's line ends lie apart where they should meet
+    std::string templateId;     ///< only this one where not empty
+    bool allowMissing = false;  ///< look for aspects with one edge more than the drawing
     std::size_t maxMatches = 24;  ///< the best by parallelism are returned
 };
 
