@@ -14,6 +14,20 @@
 <context>
     <name>ew::GraphPanel</name>
     <message numerus="yes">
+        <source>outline on %n face(s)</source>
+        <translation>
+            <numerusform>outline on %n face</numerusform>
+            <numerusform>outline on %n faces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>seen through %n face(s)</source>
+        <translation>
+            <numerusform>seen through %n face</numerusform>
+            <numerusform>seen through %n faces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n face(s) seen</source>
         <translation>
             <numerusform>%n face seen</numerusform>

@@ -99,6 +99,8 @@ void LiveReading::refreshNow() {
 }
 
 void LiveReading::refresh() {
+    // Reading a sketch on a solid takes longer than a frame: it waits for the end of the stroke.
+    if (underWay_ != nullptr && !document_.state().bodies.empty()) return;
     QElapsedTimer cost;
     cost.start();
     reading_ = underWay_ != nullptr && !underWay_->samples.empty()

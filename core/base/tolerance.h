@@ -63,6 +63,23 @@ inline constexpr double kSliverRelative = 1e-9;
 /// Longest exact coordinate that a boolean may produce [bits]. What coincides by exact constraints
 /// stays far below; only long chains of parts that each hang on slanted ones before come here.
 inline constexpr unsigned kMaxExactBits = 8192;
+/// Plane coefficients up to this length are left alone [bits]: fitted ones (kPlaneGrid) have about
+/// 100 with their offsets, and three such planes meet in points of about 500.
+inline constexpr unsigned kLightBits = 128;
+// Rounded geometry before exact arithmetic: the doubles decide where they are farther from zero than
+// this, else rational numbers do. Each bounds the error of its formula, counting 2^-52 for every
+// rounded input and operation, with a margin of 8 or more; relative to the formula's terms.
+
+/// Height over a plane (a sum of four terms).
+inline constexpr double kSideError = 0x1p-48;
+/// Orientation of three points, areas and volumes (differences, then products; per term of a sum).
+inline constexpr double kOrientError = 0x1p-46;
+/// Triple product of two plane normals and an edge.
+inline constexpr double kTripleError = 0x1p-44;
+/// A place computed in doubles that misses a box by this share of the coordinates misses it
+/// exactly, where the line that it lies on meets the plane under no smaller sine than this.
+inline constexpr double kSurelyBeside = 1e-6;
+
 /// What a tool's doubles have in common with the solid within this, relative (for normals: the sine
 /// of the angle), is meant to be exact: an anchoring solver ends near 1e-12.
 inline constexpr double kToolSnap = 1e-7;
@@ -147,6 +164,12 @@ inline constexpr double kWireCrossing = 1e-9;
 inline constexpr double kWireDepthPx = 1e-3;
 /// A face seen flatter than this (sine of the angle) has no side towards the eye.
 inline constexpr double kEdgeOnSine = 1e-6;
+/// Places in the picture of a solid nearer than this share of its size are one: projecting rounds
+/// at 1e-15, a solid's smallest features are 1e-9.
+inline constexpr double kViewSame = 1e-9;
+/// Something hides an edge where it is this share of the picture's size nearer: an edge lies on the
+/// faces round it, and its depth and theirs are rounded apart.
+inline constexpr double kViewDepth = 1e-7;
 
 // Aspects.
 
@@ -257,11 +280,41 @@ inline constexpr double kApartRelative = 1e-13;
 /// Two triangles on one edge lie on each other where the sine of the angle between them is below
 /// this: rounded points of faces that are truly apart keep more.
 inline constexpr double kFoldedSine = 1e-9;
-/// Two triangles join to a quadrangle where each of its corners turns by more than this sine: flatter
-/// corners make subdivision wrinkle.
+/// Two triangles join to a quadrangle where each of its corners turns by more than this sine:
+/// flatter corners make subdivision wrinkle.
 inline constexpr double kLeastQuadSine = 0.05;
-/// A support loop goes no farther into a spike than at this value of 1 + cosine of the turn: about 160
-/// degrees.
+/// A support loop goes no farther into a spike than at this value of 1 + cosine of the turn: about
+/// 160 degrees.
 inline constexpr double kSharpestInset = 0.06;
+
+// Drawing on a solid.
+
+/// Anchors and relations of a template on a solid hold within this share of the drawing's size, or
+/// they contradict each other: the solver ends at about 1e-12.
+inline constexpr double kAnchorResidual = 1e-8;
+
+/// A stroke is a model edge where it lies beside it within this fraction of the distance threshold.
+inline constexpr double kAlongModel = 0.8;
+/// A direction of the model that is seen shorter than this (sine to the view) gives none on the
+/// screen.
+inline constexpr double kEndOnSine = 0.05;
+/// On a solid a line that misses the model's directions or faces by less than this fraction of the
+/// distance threshold does not speak against them, however steady the hand.
+inline constexpr double kSnapNoise = 0.1;
+/// A start that misses the drawing by this many times what a solution may is not worth solving.
+inline constexpr double kStartResidual = 2.5;
+/// Changes of a solid whose volumes differ by less than this share are one, where their faces and
+/// edges are as many.
+inline constexpr double kSameChange = 0.05;
+/// Of two templates that make the same change the one that can show fewer shapes is meant: price of
+/// each freedom that its relations leave.
+inline constexpr double kTemplateFreedomCost = 0.1;
+/// Price of ink that a reading on a solid leaves out, for every four distance thresholds of it, of
+/// a model edge that it takes in, and of a direction that is none of the model's.
+inline constexpr double kModelEdgeCost = 0.5;
+inline constexpr double kStrangeDirectionCost = 6.0;
+/// Where the two derivatives of a surface are parallel within this sine it has no normal of its own:
+/// a corner of a face that lies straight on a crease.
+inline constexpr double kNoNormalSine = 1e-9;
 
 }  // namespace ew::tol

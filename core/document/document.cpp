@@ -254,7 +254,8 @@ bool sameReading(const ApplyRequest& a, const ApplyRequest& b) {
 }  // namespace
 
 Interpretation Document::Private::read(const std::vector<PendingStroke>& strokes,
-                                       const ApplyRequest& request) const {
+                                       const ApplyRequest& request,
+                                       const std::vector<Body>& bodies) const {
     InterpretOptions options;
     options.thresholds = view.thresholds;
     // All strokes are read in one plane: that of the newest.
@@ -262,6 +263,7 @@ Interpretation Document::Private::read(const std::vector<PendingStroke>& strokes
     options.operation = request.operation;
     options.templateId = request.templateId;
     options.obliqueFactor = request.obliqueFactor.value_or(obliqueFactor);
+    options.bodies = bodies;
     std::vector<Stroke> drawn;
     drawn.reserve(strokes.size());
     for (const PendingStroke& s : strokes) drawn.push_back(s.stroke);
@@ -274,7 +276,7 @@ const Interpretation& Document::interpretationFor(const ApplyRequest& request) c
     ApplyRequest effective = request;
     effective.obliqueFactor = request.obliqueFactor.value_or(d_->obliqueFactor);
     if (!d_->reading || !sameReading(effective, d_->readingRequest)) {
-        d_->reading = d_->read(d_->ink.strokes(), effective);
+        d_->reading = d_->read(d_->ink.strokes(), effective, d_->state->bodies);
         d_->readingRequest = effective;
     }
     return *d_->reading;
@@ -289,7 +291,7 @@ Interpretation Document::interpretWith(const Stroke& underWay,
     if (!validateStroke(underWay)) return interpretation();
     std::vector<PendingStroke> strokes = d_->ink.strokes();
     strokes.push_back({d_->ink.nextId(), underWay, camera});
-    return d_->read(strokes, {});
+    return d_->read(strokes, {}, d_->state->bodies);
 }
 
 }  // namespace ew

@@ -110,18 +110,34 @@ Result<int> choose(const Interpretation& reading, const std::optional<int>& want
 
 Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
                                                            const Candidate& candidate) {
-    if (candidate.operation != Operation::Create && candidate.operation != Operation::Auto) {
-        return fail(Errc::OperationImpossible,
-                    "This version cannot add to a solid or cut it; it creates solids.");
+    auto after = std::make_shared<DocumentState>(before);
+    if (candidate.operation == Operation::Add || candidate.operation == Operation::Cut) {
+        const auto body = static_cast<std::size_t>(candidate.body);
+        if (candidate.body < 0 || body >= before.bodies.size() || !candidate.result) {
+            return fail(Errc::OperationImpossible, "There is no such solid to change.");
+        }
+        after->bodies[body].solid = *candidate.result;
+        return std::shared_ptr<const DocumentState>(std::move(after));
     }
     auto solid = Solid::fromSpec(candidate.spec);
     if (!solid) return fail(solid.error());
     if (!candidate.pose.rotation.allFinite() || !candidate.pose.translation.allFinite()) {
         return fail(Errc::NoSolution, "The solid has no place in the world.");
     }
-    auto after = std::make_shared<DocumentState>(before);
     after->bodies.push_back({*std::move(solid), candidate.pose});
     return std::shared_ptr<const DocumentState>(std::move(after));
+}
+
+QString commandName(const Candidate& candidate) {
+    const QString name = inSentence(candidate.templateName);
+    switch (candidate.operation) {
+        case Operation::Add:
+            return Document::tr("Add %1").arg(name);
+        case Operation::Cut:
+            return Document::tr("Cut %1").arg(name);
+        default:
+            return Document::tr("Create %1").arg(name);
+    }
 }
 
 ApplyStep applyStep(const ApplyRequest& request) {
@@ -146,10 +162,6 @@ Result<void> checkRequest(const ApplyRequest& request, const DocumentState& stat
         return fail(Errc::OperationImpossible,
                     isCut ? "There is no solid to cut." : "There is no solid to add to.");
     }
-    if (modifies) {
-        return fail(Errc::OperationImpossible,
-                    "This version cannot add to a solid or cut it; it creates solids.");
-    }
     return {};
 }
 
@@ -165,6 +177,10 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
     const auto chosen = choose(reading, request.candidate);
     if (!chosen) return fail(chosen.error());
     const Candidate& candidate = reading.candidates[static_cast<std::size_t>(*chosen)];
+    if (request.operation != Operation::Auto && candidate.operation != request.operation) {
+        return fail(Errc::OperationImpossible,
+                    "This drawing cannot be read as that operation; let the program choose it.");
+    }
     auto after = withCandidate(*d_->state, candidate);
     if (!after) return fail(after.error());
 
@@ -174,7 +190,7 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
     memory->thresholds = d_->view.thresholds;
     memory->appliedFactor = memory->readFactor = *request.obliqueFactor;
     ApplyOutcome outcome = memory->outcome;
-    const QString name = tr("Create %1").arg(inSentence(candidate.templateName));
+    const QString name = commandName(candidate);
 
     d_->record(applyStep(request));
     d_->obliqueFactor = *request.obliqueFactor;
@@ -190,7 +206,8 @@ const ApplyOutcome* Document::lastApply() const {
     if (memory->readFactor != d_->obliqueFactor) {
         ApplyRequest request = memory->request;
         request.obliqueFactor = d_->obliqueFactor;
-        memory->outcome.interpretation = d_->read(command->consumed, request);
+        memory->outcome.interpretation =
+            d_->read(command->consumed, request, command->before->bodies);
         memory->readFactor = d_->obliqueFactor;
         const auto count = memory->outcome.interpretation.candidates.size();
         if (memory->outcome.chosen >= static_cast<int>(count)) memory->outcome.chosen = -1;
@@ -219,7 +236,7 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     memory->outcome.chosen = *chosen;
     memory->appliedFactor = d_->obliqueFactor;
     ApplyOutcome outcome = memory->outcome;
-    const QString name = tr("Create %1").arg(inSentence(reading.templateName));
+    const QString name = commandName(reading);
 
     d_->movingStack = true;
     d_->stack.undo();

@@ -64,8 +64,8 @@ struct Document::Private {
     bool editInk(const std::vector<int>& removeIds,
                  std::vector<std::pair<Stroke, OrthographicCamera>> add);
 
-    Interpretation read(const std::vector<PendingStroke>& strokes,
-                        const ApplyRequest& request) const;
+    Interpretation read(const std::vector<PendingStroke>& strokes, const ApplyRequest& request,
+                        const std::vector<Body>& bodies) const;
     /// Pushes a command that leads to `after` and takes `consumed` away.
     void push(const QString& name, std::shared_ptr<const DocumentState> after,
               std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);

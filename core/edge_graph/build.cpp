@@ -13,15 +13,12 @@
 
 namespace ew {
 namespace {
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
 
-/// The line through the ink of an edge, directed from its first to its second vertex.
-GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
-                const std::vector<InkLine>& lines) {
+GraphEdge fitEdge(const Vec2& p0, const Vec2& p1, const std::vector<LinePiece>& pieces,
+                  const std::vector<InkLine>& lines) {
     GraphEdge edge;
-    const Vec2 p0 = graph.vertices[at(raw.v[0])];
-    const Vec2 p1 = graph.vertices[at(raw.v[1])];
     const Vec2 axis = p1 - p0;
     const double len = std::max(axis.norm(), 1e-9);
     const Vec2 u = axis / len;
@@ -35,7 +32,7 @@ GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
     double hi = 0;
     Vec2 loTip = p0;
     Vec2 hiTip = p1;
-    for (const LinePiece& piece : raw.pieces) {
+    for (const LinePiece& piece : pieces) {
         const InkLine& line = lines[at(piece.line)];
         strokes.insert(strokes.end(), line.strokes.begin(), line.strokes.end());
         edge.inkPx += std::abs(piece.t1 - piece.t0);
@@ -67,9 +64,9 @@ GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
         dir = fit.direction;
         edge.wobblePx = fit.rmsPx;
     } else {
-        const InkLine& line = lines[at(raw.pieces.front().line)];
+        const InkLine& line = lines[at(pieces.front().line)];
         center = 0.5 * (line.a + line.b);
-        dir = raw.pieces.size() == 1 ? line.direction() : u;
+        dir = pieces.size() == 1 ? line.direction() : u;
     }
     if (dir.dot(u) < 0) dir = -dir;
     // A line that runs on past the vertex (a T junction's bar) has no end there to speak of.
@@ -81,6 +78,8 @@ GraphEdge refit(const RawGraph& graph, const RawGraph::Edge& raw,
     edge.tips = {tipNear(p0, loTip, edge.penEnd[0]), tipNear(p1, hiTip, edge.penEnd[1])};
     return edge;
 }
+
+namespace {
 
 /// Junctions at the weighted least-squares intersection of the refitted edges.
 void placeJunctions(EdgeGraph& graph, double distancePx) {
@@ -227,7 +226,8 @@ EdgeGraph finish(const RawGraph& raw, const std::vector<PrunedEdge>& pruned,
             junctionOf[at(v)] = static_cast<int>(graph.junctions.size());
             graph.junctions.push_back({raw.vertices[at(v)]});
         }
-        GraphEdge edge = refit(raw, e, lines);
+        GraphEdge edge =
+            fitEdge(raw.vertices[at(e.v[0])], raw.vertices[at(e.v[1])], e.pieces, lines);
         edge.ends = {junctionOf[at(e.v[0])], junctionOf[at(e.v[1])]};
         graph.edges.push_back(std::move(edge));
     }

@@ -53,6 +53,10 @@ struct GraphDraft {
 GraphDraft draftEdgeGraph(const InkReading& ink, double distancePx,
                           const ReadingOptions& options = {});
 
+/// The line through the ink of an edge, directed from p0 to p1; ends are not set.
+GraphEdge fitEdge(const Vec2& p0, const Vec2& p1, const std::vector<LinePiece>& pieces,
+                  const std::vector<InkLine>& lines);
+
 /// Settles a draft: drops what borders no region, takes the bends at `straight` (and those that are
 /// certainly none) for the middle of an edge, fits edges and junctions to the ink.
 EdgeGraph settleEdgeGraph(const InkReading& ink, const std::vector<InkLine>& lines, RawGraph raw,

@@ -15,8 +15,8 @@ struct Findings {
     std::optional<Vec2> impossibleCorner;  ///< a drawn corner that breaks Perkins' law
     std::vector<EdgeGraph> otherParts;     ///< further connected drawings
     bool ambiguous = false;                ///< two different candidates too close
-    bool leavesInk = false;                ///< the best leaves more ink aside than a slip of the pen
-    bool blockedByOpenEnd = false;         ///< a match exists, but only without an open line
+    bool leavesInk = false;         ///< the best leaves more ink aside than a slip of the pen
+    bool blockedByOpenEnd = false;  ///< a match exists, but only without an open line
 };
 
 /// Says why: fills problem, culprits, repairs and nearest of an interpretation whose graph and

@@ -34,6 +34,42 @@ void addReading(SolverRelations& relations, const TemplateAnalysis& analysis,
 /// not): a lower bound of what a candidate of it costs.
 int templateFreedoms(const Template& tmpl, const TemplateAnalysis& analysis);
 
+/// What is known of a template that is drawn on a solid, in camera space [px].
+struct Anchors {
+    struct Plane {
+        int vertex;
+        Vec3 normal;    ///< unit
+        double offset;  ///< normal . vertex = offset
+        Vec2 near;      ///< where the vertex was drawn
+    };
+    struct Line {
+        int vertex;
+        Vec3 point;
+        Vec3 direction;  ///< unit
+    };
+    struct Point {
+        int vertex;
+        Vec3 point;
+    };
+    struct Direction {
+        int edge;        ///< TemplateAnalysis::edges
+        Vec3 direction;  ///< unit
+    };
+    std::vector<Plane> planes;
+    std::vector<Line> lines;
+    std::vector<Point> points;
+    std::vector<Direction> directions;
+
+    double depth() const;  ///< about where it all is [px]
+};
+
+/// As solveGeneral, with anchors that hold exactly; depth is told by them. Nothing where anchors
+/// and relations contradict each other.
+std::optional<GeneralSolution> solveAnchored(const Template& tmpl, const TemplateAnalysis& analysis,
+                                             const Sighting& sighting,
+                                             const SolverRelations& relations,
+                                             const Anchors& anchors, const CameraPoints& start);
+
 /// Reconstructs any template from one parallel projection: sequential quadratic programming over
 /// all vertex positions in camera space. Parallel, perpendicular and equal-length relations and
 /// planarity of the faces are equality constraints (null-space method, rank-revealing, so redundant

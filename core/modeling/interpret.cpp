@@ -12,6 +12,7 @@
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
 #include "core/modeling/interpretation.h"
+#include "core/modeling/modification.h"
 #include "core/tlib/matcher.h"
 
 namespace ew {
@@ -459,7 +460,21 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
                             {}};
         return out;
     }
-    return Pipeline(strokes, library, options).run();
+    if (options.bodies.empty() || options.operation == Operation::Create) {
+        return Pipeline(strokes, library, options).run();
+    }
+    ModificationReading change =
+        readModification(readInk(strokes, options.thresholds.distancePx), library, options);
+    if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {
+        return std::move(change.interpretation);
+    }
+    Interpretation created = Pipeline(strokes, library, options).run();
+    // Lines that meet the solid were hardly meant to be a body of their own.
+    if (change.touches && created.accepted) {
+        created.accepted.reset();
+        created.problem = change.interpretation.problem;
+    }
+    return created;
 }
 
 }  // namespace ew

@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/edge_graph/edge_graph.h"
 #include "core/solid/polyhedron_spec.h"
+#include "core/solid/solid.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/library.h"
 
@@ -40,8 +41,10 @@ struct Candidate {
     int missingEdges = 0;             ///< visible template edges that were not drawn
     int extraEdges = 0;               ///< graph edges left unexplained
     std::vector<std::string> notes;   ///< sentences: what was assumed, e.g. a closed freedom
-    PolyhedronSpec spec;              ///< the solid, body frame [mm]
+    PolyhedronSpec spec;              ///< the solid, or what is added or cut; body frame [mm]
     Pose pose;                        ///< body frame -> world
+    int body = -1;                    ///< Add and Cut: which of InterpretOptions::bodies changes
+    std::optional<Solid> result;      ///< ... and what it becomes
     double obliqueFactor = 0.0;       ///< k, 0 unless depth == Oblique
 };
 
@@ -104,6 +107,7 @@ struct InterpretOptions {
     std::string templateId;      ///< only this template where not empty
     double obliqueFactor = 0.5;  ///< k of the oblique reading, 0.1..2
     int maxCandidates = 6;
+    std::vector<Body> bodies;  ///< the solids that are there already
 };
 
 /// Steps 1 to 3 (and 4 for drawings on a solid): strokes to candidates. Never throws, never reads

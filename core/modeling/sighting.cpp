@@ -32,8 +32,12 @@ Sighting sightingOf(const EdgeGraph& graph, const GraphMatch& match, double dist
         d.edge = match.edge[e];
         d.tips = graph.edges[e].tips;
         d.penEnd = graph.edges[e].penEnd;
-        d.vertex = {match.vertex[at(graph.edges[e].ends[0])],
-                    match.vertex[at(graph.edges[e].ends[1])]};
+        const auto& ends = match.entry->analysis.edges[at(d.edge)].ends;
+        for (std::size_t side = 0; side < 2; ++side) {
+            // Where an edge disappears behind a corner it has no end of its own.
+            const int v = match.vertex[at(graph.edges[e].ends[side])];
+            d.vertex[side] = v == ends[0] || v == ends[1] ? v : -1;
+        }
         s.edges.push_back(d);
     }
     s.visibleFaces = match.aspect->visibleFaces;

@@ -5,17 +5,14 @@
 #include <unordered_map>
 
 #include "core/solid/brep.h"
+#include "core/solid/crossing_check.h"
+#include "core/solid/surface_build.h"
 #include "core/solid/triangulate.h"
 #include "core/solid/validity.h"
 #include "core/solid/volume_check.h"
 
 namespace ew {
 namespace {
-
-struct Triangulated {
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<int> regions;
-};
 
 Result<Triangulated> triangulateAll(const ExactBrep& brep) {
     Triangulated out;
@@ -39,28 +36,8 @@ Result<void> checkTriangles(std::size_t pointCount, const Triangulated& surface)
     return checkFans(pointCount, surface.triangles);
 }
 
-Result<void> fillMesh(const ExactBrep& brep, const Triangulated& from, ExactMesh& to) {
-    Mesh& mesh = to.mesh;
-    mesh.reserve(brep.points.size(), 3 * from.triangles.size() / 2, from.triangles.size());
-    for (const Point3& p : brep.points) {
-        const Vec3 r = rounded(p);
-        const auto v = mesh.add_vertex({r.x(), r.y(), r.z()});
-        mesh.property(to.exact, v) = p;
-    }
-    for (std::size_t t = 0; t < from.triangles.size(); ++t) {
-        const auto& [a, b, c] = from.triangles[t];
-        const auto f =
-            mesh.add_face(Mesh::VertexHandle(a), Mesh::VertexHandle(b), Mesh::VertexHandle(c));
-        if (!f.is_valid()) {
-            return fail(Errc::Internal, "The faces could not be joined into one surface.");
-        }
-        mesh.property(to.region, f) = from.regions[t];
-    }
-    return {};
-}
-
 /// Mesh and gate for one brep.
-Result<void> build(const ExactBrep& brep, ExactMesh& surface) {
+Result<void> build(const ExactBrep& brep, ExactMesh& surface, FacePlanes& planes) {
     if (auto ok = checkLoops(brep.points.size(), brep.faces); !ok) return ok;
     std::vector<Vec3> points;
     points.reserve(brep.points.size());
@@ -70,100 +47,19 @@ Result<void> build(const ExactBrep& brep, ExactMesh& surface) {
     auto triangles = triangulateAll(brep);
     if (!triangles) return fail(triangles.error());
     if (auto ok = checkTriangles(points.size(), *triangles); !ok) return ok;
-    if (auto ok = fillMesh(brep, *triangles, surface); !ok) return ok;
-    return checkVolume(surface);
-}
-
-// The person's view
-// --------------------------------------------------------------------------------
-
-/// True where the solid is convex along a halfedge: the far corner of the neighbour lies behind
-/// the plane of the near triangle.
-bool isConvex(const ExactMesh& s, Mesh::HalfedgeHandle h) {
-    const Mesh& m = s.mesh;
-    const auto o = m.opposite_halfedge_handle(h);
-    const auto tip = [&](Mesh::HalfedgeHandle x) -> const Point3& {
-        return s.point(m.to_vertex_handle(x));
-    };
-    return CGAL::orientation(tip(o), tip(h), tip(m.next_halfedge_handle(h)),
-                             tip(m.next_halfedge_handle(o))) == CGAL::NEGATIVE;
-}
-
-void fillFaces(const ExactBrep& brep, Solid::Impl& impl) {
-    for (const FaceLoops& loops : brep.faces) {
-        SolidFace face;
-        face.loops = loops;
-        face.normal = newellNormal(impl.vertices, loops[0]);
-        face.offset = face.normal.dot(impl.vertices[static_cast<std::size_t>(loops[0][0])]);
-        impl.faces.push_back(std::move(face));
+    if (auto ok = fillMesh(brep.points, *triangles, surface); !ok) return ok;
+    planes.clear();
+    for (const FaceLoops& loops : brep.faces) planes.push_back(exactPlane(brep.points, loops));
+    const bool flat = std::none_of(planes.begin(), planes.end(),
+                                   [](const auto& plane) { return plane == nullptr; });
+    if (flat) {
+        if (auto ok = checkCrossings(brep, planes, nullptr); !ok) return ok;
+    } else {
+        std::vector<Mesh::FaceHandle> all;
+        for (const auto f : surface.mesh.faces()) all.push_back(f);
+        if (auto ok = checkFaces(surface, all); !ok) return ok;
     }
-}
-
-void fillEdges(Solid::Impl& impl) {
-    const Mesh& mesh = impl.surface.mesh;
-    std::unordered_map<std::uint64_t, std::size_t> known;
-    for (std::size_t f = 0; f < impl.faces.size(); ++f) {
-        for (const std::vector<int>& loop : impl.faces[f].loops) {
-            for (std::size_t k = 0; k < loop.size(); ++k) {
-                const int a = loop[k];
-                const int b = loop[(k + 1) % loop.size()];
-                const auto low = static_cast<std::uint64_t>(std::min(a, b));
-                const auto key = (low << 32U) | static_cast<std::uint64_t>(std::max(a, b));
-                const auto [it, fresh] = known.emplace(key, impl.edges.size());
-                if (!fresh) {
-                    impl.edges[it->second].faces[1] = static_cast<int>(f);
-                    continue;
-                }
-                const auto h = mesh.find_halfedge(Mesh::VertexHandle(a), Mesh::VertexHandle(b));
-                SolidEdge edge;
-                edge.ends = {a, b};
-                edge.faces = {static_cast<int>(f), -1};
-                edge.convex = isConvex(impl.surface, h);
-                impl.edges.push_back(edge);
-            }
-        }
-    }
-}
-
-void fillMeasures(Solid::Impl& impl) {
-    const Mesh& mesh = impl.surface.mesh;
-    std::vector<int> shellOfFace;
-    impl.shells = shellsOf(mesh, shellOfFace);
-    const auto euler = static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
-                       static_cast<int>(mesh.n_faces());
-    impl.genus = impl.shells - euler / 2;
-    impl.volume = CGAL::to_double(exactVolume(impl.surface));
-    Eigen::AlignedBox3d box;
-    for (const Vec3& p : impl.vertices) box.extend(p);
-    impl.bounds = {box.min(), box.max()};
-    for (const SolidTriangle& t : impl.triangles) {
-        const auto corner = [&](std::size_t k) -> const Vec3& {
-            return impl.vertices[static_cast<std::size_t>(t.vertices[k])];
-        };
-        impl.area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    }
-}
-
-std::shared_ptr<const Solid::Impl> finish(ExactMesh surface, const PersonView& view) {
-    auto impl = std::make_shared<Solid::Impl>();
-    impl->surface = std::move(surface);
-    ExactMesh& s = impl->surface;
-    for (const auto f : s.mesh.faces()) {
-        s.mesh.property(s.region, f) = view.faceOfTriangle[static_cast<std::size_t>(f.idx())];
-        SolidTriangle t;
-        std::size_t k = 0;
-        for (const auto v : s.mesh.fv_range(f)) t.vertices[k++] = v.idx();
-        // Start every triangle at its smallest index: a form that does not depend on the mesh.
-        std::rotate(t.vertices.begin(), std::min_element(t.vertices.begin(), t.vertices.end()),
-                    t.vertices.end());
-        t.face = s.regionOf(f);
-        impl->triangles.push_back(t);
-    }
-    for (const Point3& p : view.brep.points) impl->vertices.push_back(rounded(p));
-    fillFaces(view.brep, *impl);
-    fillEdges(*impl);
-    fillMeasures(*impl);
-    return impl;
+    return checkShells(surface);
 }
 
 }  // namespace
@@ -179,10 +75,12 @@ Result<std::shared_ptr<const Solid::Impl>> assemble(ExactBrep brep) {
     // What was merged and dropped is triangulated anew, and then nothing is left to merge.
     for (int round = 0; round < 3; ++round) {
         ExactMesh surface;
-        if (auto ok = build(brep, surface); !ok) return fail(ok.error());
+        FacePlanes planes;
+        if (auto ok = build(brep, surface, planes); !ok) return fail(ok.error());
         PersonView view = personView(surface, brep.faces.size());
         if (!view.changed && view.brep.faces == brep.faces) {
-            return finish(std::move(surface), view);
+            return finishSolid(std::move(surface), view.brep, view.faceOfTriangle,
+                               std::move(planes));
         }
         brep = std::move(view.brep);
     }

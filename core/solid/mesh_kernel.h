@@ -8,6 +8,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 #include <boost/property_map/property_map.hpp>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -65,6 +66,22 @@ struct ExactPointMap {
     }
 };
 
+using RVec = std::array<Rational, 3>;
+
+/// normal . p = offset; the component of the normal with the largest magnitude (the first of them)
+/// is 1, so a plane has one form only.
+struct RPlane {
+    RVec normal;
+    Rational offset;
+    int axis = 2;            ///< whose component is 1
+    Vec3 n = Vec3::UnitZ();  ///< rounded
+    double d = 0.0;          ///< rounded
+    bool operator==(const RPlane& o) const { return normal == o.normal && offset == o.offset; }
+};
+
+/// By face; null where a face is planar within tolerance only.
+using FacePlanes = std::vector<std::shared_ptr<const RPlane>>;
+
 /// A solid's surface as exact points and planar faces: what every way of making a solid (from a
 /// spec, from a file, from a boolean) hands to assemble().
 struct ExactBrep {
@@ -88,7 +105,8 @@ struct Solid::Impl {
     std::vector<Vec3> vertices;
     std::vector<SolidEdge> edges;
     std::vector<SolidFace> faces;
-    std::vector<SolidTriangle> triangles;
+    std::vector<SolidTriangle> triangles;  ///< face by face
+    FacePlanes planes;
     int shells = 0;
     int genus = 0;
     double volume = 0.0;

@@ -59,7 +59,7 @@ class Fitter {
         std::stable_partition(order.begin(), order.end(), [&](std::size_t f) {
             return sharedAxis(spec_, spec_.faces[f]) >= 0;
         });
-        for (const std::size_t f : order) add(spec_.faces[f]);
+        for (const std::size_t f : order) add(spec_.faces[f], static_cast<int>(f));
         for (FittedPlane& plane : planes_) {
             std::sort(plane.points.begin(), plane.points.end());
             plane.points.erase(std::unique(plane.points.begin(), plane.points.end()),
@@ -77,7 +77,7 @@ class Fitter {
         return directions_.back();
     }
 
-    void add(const std::vector<int>& face) {
+    void add(const std::vector<int>& face, int index) {
         const int axis = sharedAxis(spec_, face);
         const Vec3 unit = axis >= 0 ? Vec3(Vec3::Unit(axis)) : newellNormal(spec_.vertices, face);
         const Vec3 normal = directionOf(unit, axis).normal;
@@ -94,9 +94,10 @@ class Fitter {
             if (plane.normal != normal) continue;
             if (std::abs(plane.offset - offset) > tol::kSamePlaneRelative * size_) continue;
             plane.points.insert(plane.points.end(), face.begin(), face.end());
+            plane.faces.push_back(index);
             return;
         }
-        planes_.push_back({normal, offset, axis, face});
+        planes_.push_back({normal, offset, axis, face, {index}});
     }
 
     const PolyhedronSpec& spec_;

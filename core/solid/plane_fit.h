@@ -16,6 +16,7 @@ struct FittedPlane {
     double offset = 0.0;      ///< [mm]
     int axis = -1;            ///< 0..2 where all points share that coordinate to the bit, else -1
     std::vector<int> points;  ///< all points of its faces, ascending, each once
+    std::vector<int> faces;   ///< of the spec
 };
 
 /// Planes of all faces. Faces with parallel normals (tol::kParallelSine) share one normal, faces in

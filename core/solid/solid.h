@@ -52,10 +52,10 @@ class Solid {
     const std::vector<SolidFace>& faces() const;
     const std::vector<SolidTriangle>& triangles() const;
 
-    int shellCount() const;  ///< connected components of the surface
-    int genus() const;       ///< sum over the shells
-    double volume() const;   ///< [mm^3]
-    double area() const;     ///< [mm^2]
+    int shellCount() const;              ///< connected components of the surface
+    int genus() const;                   ///< sum over the shells
+    double volume() const;               ///< [mm^3]
+    double area() const;                 ///< [mm^2]
     std::array<Vec3, 2> bounds() const;  ///< body frame min, max [mm]
 
     /// Exact text form of all coordinates and topology, and back: nothing is lost, bit-equal

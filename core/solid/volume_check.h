@@ -9,13 +9,16 @@
 
 namespace ew {
 
-/// The geometric part of the gate, in exact arithmetic: no self-intersection, bounds a volume,
-/// outward. Errors: SelfIntersecting, NotOriented (inside out, or a cavity with the sense of an
-/// outer shell), NoVolume. \pre closed, 2-manifold triangle mesh.
-Result<void> checkVolume(const ExactMesh& surface);
+/// No two of these triangles cross or touch but for what they share. Error: SelfIntersecting.
+Result<void> checkFaces(const ExactMesh& surface, const std::vector<Mesh::FaceHandle>& faces);
 
-/// Exact volume of the closed surface [mm^3]; negative where it is inside out.
-Rational exactVolume(const ExactMesh& surface);
+/// Shells that lie in an even number of others look outwards, the others inwards. Errors:
+/// NotOriented, NoVolume. \pre closed, 2-manifold, free of self-intersection.
+Result<void> checkShells(const ExactMesh& surface);
+
+/// Volume of the closed surface [mm^3]; negative where it is inside out. The same for meshes that
+/// hold the same triangles in the same order.
+double volumeOf(const ExactMesh& surface);
 
 /// Number of connected pieces of the surface; fills the piece of every face, by face index.
 int shellsOf(const Mesh& mesh, std::vector<int>& shellOfFace);

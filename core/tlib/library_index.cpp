@@ -43,6 +43,23 @@ std::vector<Aspect> uniteSymmetric(std::vector<Aspect> aspects, const TemplateAn
     return kept;
 }
 
+void addEntry(LibraryIndex& index, std::shared_ptr<const LibraryEntry> entry) {
+    const int id = static_cast<int>(index.entries.size());
+    for (std::size_t a = 0; a < entry->aspects.size(); ++a) {
+        const Aspect& aspect = entry->aspects[a];
+        index.byCode[aspect.form.code].push_back({id, static_cast<int>(a), -1});
+        if (aspect.kind != AspectKind::Explicit) continue;
+        for (std::size_t e = 0; e < aspect.edge.size(); ++e) {
+            const Aspect less = withoutEdge(aspect, static_cast<int>(e));
+            if (less.graph.edges.size() < 5) continue;
+            index.bySignature[graphSignature(less.graph)].push_back(
+                {id, static_cast<int>(a), static_cast<int>(e)});
+        }
+    }
+    index.byId.emplace(entry->tmpl.id, id);
+    index.entries.push_back(std::move(entry));
+}
+
 }  // namespace
 
 Aspect withoutEdge(const Aspect& aspect, int edge) {
@@ -119,19 +136,32 @@ void addToIndex(LibraryIndex& index, Template tmpl) {
     entry->symmetries = symmetries(entry->tmpl, entry->analysis);
     entry->aspects = uniteSymmetric(explicitAspects(entry->tmpl, entry->analysis), entry->analysis,
                                     entry->symmetries);
-    const int id = static_cast<int>(index.entries.size());
-    for (std::size_t a = 0; a < entry->aspects.size(); ++a) {
-        const Aspect& aspect = entry->aspects[a];
-        index.byCode[aspect.form.code].push_back({id, static_cast<int>(a), -1});
-        for (std::size_t e = 0; e < aspect.edge.size(); ++e) {
-            const Aspect less = withoutEdge(aspect, static_cast<int>(e));
-            if (less.graph.edges.size() < 5) continue;
-            index.bySignature[graphSignature(less.graph)].push_back(
-                {id, static_cast<int>(a), static_cast<int>(e)});
+    index.onSolid = std::make_shared<LazyIndex>();
+    addEntry(index, std::move(entry));
+}
+
+const LibraryIndex& onSolidIndex(const LibraryIndex& index) {
+    static const LibraryIndex kEmpty;
+    if (!index.onSolid) return kEmpty;
+    LazyIndex& lazy = *index.onSolid;
+    std::call_once(lazy.once, [&] {
+        for (const auto& known : index.entries) {
+            auto entry = std::make_shared<LibraryEntry>(*known);
+            std::vector<Aspect> mouths;
+            std::vector<Aspect> cavities;
+            for (Aspect& a : implicitAspects(entry->tmpl, entry->analysis)) {
+                (a.kind == AspectKind::Mouth ? mouths : cavities).push_back(std::move(a));
+            }
+            for (std::vector<Aspect>* some : {&mouths, &cavities}) {
+                for (Aspect& a :
+                     uniteSymmetric(std::move(*some), entry->analysis, entry->symmetries)) {
+                    entry->aspects.push_back(std::move(a));
+                }
+            }
+            addEntry(lazy.index, std::move(entry));
         }
-    }
-    index.byId.emplace(entry->tmpl.id, id);
-    index.entries.push_back(std::move(entry));
+    });
+    return lazy.index;
 }
 
 }  // namespace ew

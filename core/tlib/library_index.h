@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -26,12 +27,25 @@ struct AspectRef {
     int removedEdge = -1;  ///< graph edge left out, -1 for the whole aspect
 };
 
+struct LazyIndex;
+
 struct LibraryIndex {
     std::vector<std::shared_ptr<const LibraryEntry>> entries;
     std::unordered_map<std::string, int> byId;
     std::unordered_map<std::string, std::vector<AspectRef>> byCode;       ///< canonical code
     std::unordered_map<std::size_t, std::vector<AspectRef>> bySignature;  ///< aspects less one edge
+    std::shared_ptr<LazyIndex> onSolid;                                   ///< see onSolidIndex
 };
+
+/// Made when it is first asked for.
+struct LazyIndex {
+    std::once_flag once;
+    LibraryIndex index;
+};
+
+/// The same templates with their implicit aspects in addition, for drawings on a solid. Derived
+/// once, on first use. Thread-safe.
+const LibraryIndex& onSolidIndex(const LibraryIndex& index);
 
 /// Derives the aspects of a checked template and adds it.
 void addToIndex(LibraryIndex& index, Template tmpl);

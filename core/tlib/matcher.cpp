@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "core/base/tolerance.h"
 
@@ -163,7 +164,9 @@ class Matcher {
                 m.vertex[at(ours.vertices[i])] = aspect->vertex[at(theirs.vertices[i])];
             }
             if (!sameOutline || !mapEdges(m, *aspect, aspectVertex)) continue;
-            if (!known_.insert({id, orbitKey(m)}).second) continue;
+            // Implicit aspects say more than which vertex is where.
+            const void* kind = aspect->kind == AspectKind::Explicit ? nullptr : aspect.get();
+            if (!known_.insert({id, kind, orbitKey(m)}).second) continue;
             measureParallels(m, drawn_,
                              std::max(tol::kTurnExcuse * options_.distancePx,
                                       tol::kTurnSpreads * options_.spreadPx));
@@ -193,7 +196,7 @@ class Matcher {
     PlaneGraph plane_;
     CanonicalForm form_;
     std::vector<bool> outer_;
-    std::set<std::pair<int, std::vector<int>>> known_;
+    std::set<std::tuple<int, const void*, std::vector<int>>> known_;
     std::vector<GraphMatch> found_;
 };
 

@@ -87,7 +87,8 @@ void showQuickHelp(QWidget* window) {
                          "faint preview."),
                 Help::tr("Lift the pen. When the reading is clear it becomes a solid; Enter does "
                          "it at once."),
-                Help::tr("Keys 1 to 9 take another reading, also afterwards."),
+                Help::tr("Draw on the solid to add to it (green) or to cut it (red). Keys 1 to 9 "
+                         "take another reading, also afterwards."),
                 Help::tr(
                     "If something does not meet, it is marked, with a button that repairs it."));
     const QString gestures =

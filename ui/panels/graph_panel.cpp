@@ -12,6 +12,13 @@ namespace ew {
 
 QString aspectText(const std::string& aspect) {
     const QString text = QString::fromStdString(aspect);
+    const int count = text.section(QLatin1Char('-'), 1).toInt();
+    if (text.startsWith(QLatin1String("mouth-"))) {
+        return GraphPanel::tr("outline on %n face(s)", nullptr, count);
+    }
+    if (text.startsWith(QLatin1String("cavity-"))) {
+        return GraphPanel::tr("seen through %n face(s)", nullptr, count);
+    }
     if (text.startsWith(QLatin1String("explicit-"))) {
         bool ok = false;
         const int faces = text.mid(9).toInt(&ok);

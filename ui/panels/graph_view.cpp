@@ -91,9 +91,11 @@ class GraphPainter {
         for (std::size_t i = 0; i < r_.graph.edges.size(); ++i) {
             const GraphEdge& edge = r_.graph.edges[i];
             const bool bad = badEdges_.contains(static_cast<int>(i));
-            QPen pen(bad ? c_.warning : c_.read, 1.8, Qt::SolidLine, Qt::RoundCap);
-            if (edge.origin == EdgeOrigin::Model) pen.setDashPattern({1.0, 2.5});
-            p_.setPen(pen);
+            const bool extracted = edge.origin == EdgeOrigin::Model;
+            p_.setPen(QPen(bad         ? c_.warning
+                           : extracted ? c_.extracted
+                                       : c_.read,
+                           1.8, Qt::SolidLine, Qt::RoundCap));
             p_.drawLine(at(r_.graph.junctions[static_cast<std::size_t>(edge.ends[0])].position),
                         at(r_.graph.junctions[static_cast<std::size_t>(edge.ends[1])].position));
         }

@@ -103,6 +103,22 @@ MessageBar::Sentence MessageBar::idleSentence() const {
     return {Tone::Good, text};
 }
 
+namespace {
+QString whatEnterDoes(const Interpretation& reading, int candidate) {
+    if (candidate >= 0) {
+        switch (reading.candidates[static_cast<std::size_t>(candidate)].operation) {
+            case Operation::Add:
+                return MessageBar::tr("Enter adds it to the solid.");
+            case Operation::Cut:
+                return MessageBar::tr("Enter cuts it out of the solid.");
+            default:
+                break;
+        }
+    }
+    return MessageBar::tr("Enter makes it a solid.");
+}
+}  // namespace
+
 MessageBar::Sentence MessageBar::sentence() const {
     if (notice_) return *notice_;
     const bool ink = !document_.pendingStrokes().empty() || reading_.strokeUnderWay();
@@ -121,10 +137,10 @@ MessageBar::Sentence MessageBar::sentence() const {
         if (apply_.waiting()) {
             return {Tone::Good, tr("Clear: %1. Applying it; Escape waits.").arg(name)};
         }
-        return {Tone::Good, tr("Clear: %1. Enter makes it a solid.").arg(name)};
+        return {Tone::Good, tr("Clear: %1. %2").arg(name, whatEnterDoes(r, current))};
     }
     if (reading_.chosen() >= 0) {
-        return {Tone::Quiet, tr("Chosen: %1. Enter makes it a solid.").arg(name)};
+        return {Tone::Quiet, tr("Chosen: %1. %2").arg(name, whatEnterDoes(r, current))};
     }
     if (!reading_.settled()) return {Tone::Quiet, tr("Reading the drawing\u2026")};
     if (r.problem) return {Tone::Warning, QString::fromStdString(r.problem->message)};

@@ -29,7 +29,10 @@ ThemeColours makeLight() {
     c.ink = hex("#1d2733");
     c.dropped = hex("#8a929c");
     c.read = hex("#2a7bd0");
+    c.extracted = hex("#8a5fc0");
     c.ghost = hex("#6f8fb3");
+    c.added = hex("#1f8a55");
+    c.removed = hex("#c53a36");
     c.body = hex("#dde3ea");
     c.bodyEdge = hex("#2b333d");
     c.hiddenEdge = hex("#8791a0");
@@ -56,7 +59,10 @@ ThemeColours makeDark() {
     c.ink = hex("#f0eee8");
     c.dropped = hex("#7b8592");
     c.read = hex("#58a6f2");
+    c.extracted = hex("#bd97ec");
     c.ghost = hex("#7f9dbd");
+    c.added = hex("#62cf97");
+    c.removed = hex("#ff7d74");
     c.body = hex("#566271");
     c.bodyEdge = hex("#e2e7ed");
     c.hiddenEdge = hex("#8a95a3");

@@ -29,7 +29,10 @@ struct ThemeColours {
     QColor ink;
     QColor dropped;  ///< ink that the reading does not use
     QColor read;     ///< recognised edges and junctions
-    QColor ghost;    ///< preview of the candidate
+    QColor extracted;  ///< edges of the model that the reading takes in
+    QColor ghost;      ///< preview of the candidate
+    QColor added;      ///< preview of what is added to a solid
+    QColor removed;    ///< preview of what is cut out of it
     QColor body;
     QColor bodyEdge;
     QColor hiddenEdge;

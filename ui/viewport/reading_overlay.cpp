@@ -31,8 +31,12 @@ class Painter {
     void ghost() {
         if (o_.ghost < 0 || o_.ghost >= static_cast<int>(o_.reading->candidates.size())) return;
         const Candidate& candidate = o_.reading->candidates[static_cast<std::size_t>(o_.ghost)];
-        QPen seen(c_.ghost, 1.4);
-        QPen hidden(c_.ghost, 1.0);
+        QColor colour = c_.ghost;
+        if (candidate.operation == Operation::Add) colour = c_.added;
+        if (candidate.operation == Operation::Cut) colour = c_.removed;
+        if (colour != c_.ghost) fillFaces(candidate, colour);
+        QPen seen(colour, 1.4);
+        QPen hidden(colour, 1.0);
         seen.setCapStyle(Qt::RoundCap);
         hidden.setDashPattern({4.0, 4.0});
         for (const WireSegment& s : wireSegments(candidate.spec, candidate.pose, o_.viewCamera)) {
@@ -41,11 +45,33 @@ class Painter {
         }
     }
 
+    /// What is added or cut, as tinted glass.
+    void fillFaces(const Candidate& candidate, QColor colour) {
+        colour.setAlphaF(0.16F);
+        p_.setPen(Qt::NoPen);
+        p_.setBrush(colour);
+        for (const auto& loop : candidate.spec.faces) {
+            QPolygonF face;
+            double area = 0;
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const auto corner = [&](std::size_t k) {
+                    const auto v = static_cast<std::size_t>(loop[k % loop.size()]);
+                    return o_.viewCamera.project(
+                        candidate.pose.toWorld(candidate.spec.vertices[v]));
+                };
+                area += cross2(corner(i), corner(i + 1));
+                face.append(toPoint(corner(i)));
+            }
+            // Towards the eye only, so that glass before glass is not counted twice.
+            if (area < 0) p_.drawPolygon(face);
+        }
+        p_.setBrush(Qt::NoBrush);
+    }
+
     void graph() {
         const EdgeGraph& graph = o_.reading->graph;
         QPen stroke(c_.read, kEdgePx);
-        QPen model(c_.read, kEdgePx);
-        model.setDashPattern({1.5, 3.0});
+        const QPen model(c_.extracted, kEdgePx);
         for (const GraphEdge& edge : graph.edges) {
             p_.setPen(edge.origin == EdgeOrigin::Model ? model : stroke);
             p_.drawLine(at(graph.junctions[static_cast<std::size_t>(edge.ends[0])].position),

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/canonical.h"
+#include "core/modeling/joint_graph.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Choices of model edges are tried one by one, so their number is bounded; those on short ways
+/// come first.
+constexpr std::size_t kMostOptional = 13;
+
+/// An edge of a reading while it is being made.
+struct Chain {
+    std::array<int, 2> nodes{-1, -1};
+    int modelEdge = -1;
+    std::vector<LinePiece> pieces;
+    double redrawn = 0.0;
+    bool alive = true;
+};
+
+class Closing {
+  public:
+    Closing(const JointGraph& joint, double distancePx) : joint_(joint), distance_(distancePx) {}
+
+    /// False where this choice of model edges closes nothing or is no better than a smaller one.
+    bool take(const std::vector<int>& chosen) {
+        chains_.clear();
+        for (std::size_t e = 0; e < joint_.inkEdges; ++e) add(joint_.edges[e]);
+        for (const int e : chosen) add(joint_.edges[at(e)]);
+        stray_ = 0;
+        modelEdges_ = static_cast<int>(chosen.size());
+        return prune() && largestPart() && (dissolve(), true) && edgeCount() >= 5;
+    }
+
+    PlaneGraph shape() {
+        PlaneGraph plane;
+        number_.assign(joint_.nodes.size(), -1);
+        nodes_.clear();
+        for (const Chain& c : chains_) {
+            if (!c.alive) continue;
+            std::array<int, 2> ends{};
+            for (std::size_t s = 0; s < 2; ++s) {
+                int& n = number_[at(c.nodes[s])];
+                if (n < 0) {
+                    n = static_cast<int>(plane.points.size());
+                    plane.points.push_back(joint_.nodes[at(c.nodes[s])].px);
+                    nodes_.push_back(c.nodes[s]);
+                }
+                ends[s] = n;
+            }
+            plane.edges.push_back(ends);
+        }
+        return plane;
+    }
+
+    JointReading reading() {
+        JointReading r;
+        const PlaneGraph plane = shape();
+        for (const Vec2& p : plane.points) r.graph.junctions.push_back({p});
+        std::size_t k = 0;
+        for (const Chain& c : chains_) {
+            if (!c.alive) continue;
+            const Vec2 a = joint_.nodes[at(c.nodes[0])].px;
+            const Vec2 b = joint_.nodes[at(c.nodes[1])].px;
+            GraphEdge e;
+            if (c.modelEdge < 0) {
+                e = fitEdge(a, b, c.pieces, joint_.lines);
+            } else {
+                e.origin = EdgeOrigin::Model;
+                e.tips = {a, b};
+            }
+            e.ends = plane.edges[k++];
+            r.graph.edges.push_back(std::move(e));
+            r.edgeModel.push_back(c.modelEdge);
+        }
+        r.junctionNode = nodes_;
+        r.strayPx = stray_;
+        r.modelEdges = modelEdges_;
+        return r;
+    }
+
+  private:
+    void add(const JointEdge& e) {
+        chains_.push_back({e.nodes, e.modelEdge, e.pieces, e.redrawn, true});
+    }
+    double inkLength(const Chain& c) const {
+        double sum = 0;
+        for (const LinePiece& p : c.pieces) sum += std::abs(p.t1 - p.t0);
+        return sum;
+    }
+    std::vector<std::vector<int>> incidence() const {
+        std::vector<std::vector<int>> around(joint_.nodes.size());
+        for (std::size_t c = 0; c < chains_.size(); ++c) {
+            if (!chains_[c].alive) continue;
+            for (const int n : chains_[c].nodes) around[at(n)].push_back(static_cast<int>(c));
+        }
+        return around;
+    }
+    std::size_t edgeCount() const {
+        return static_cast<std::size_t>(
+            std::count_if(chains_.begin(), chains_.end(), [](const Chain& c) { return c.alive; }));
+    }
+    bool drop(Chain& c) {
+        c.alive = false;
+        if (c.modelEdge >= 0) return false;
+        stray_ += inkLength(c);
+        return true;
+    }
+
+    bool prune() {
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const auto& around : incidence()) {
+                if (around.size() != 1 || !chains_[at(around[0])].alive) continue;
+                if (!drop(chains_[at(around[0])])) return false;
+                changed = true;
+            }
+        }
+        return true;
+    }
+
+    /// Keeps the connected part with the most ink.
+    bool largestPart() {
+        std::vector<int> part(joint_.nodes.size());
+        std::iota(part.begin(), part.end(), 0);
+        const auto find = [&](int n) {
+            while (part[at(n)] != n) n = part[at(n)] = part[at(part[at(n)])];
+            return n;
+        };
+        for (const Chain& c : chains_) {
+            if (c.alive) part[at(find(c.nodes[0]))] = find(c.nodes[1]);
+        }
+        std::map<int, double> ink;
+        for (const Chain& c : chains_) {
+            if (c.alive) ink[find(c.nodes[0])] += inkLength(c);
+        }
+        if (ink.empty()) return false;
+        const int best = std::max_element(ink.begin(), ink.end(), [](const auto& a, const auto& b) {
+                             return a.second < b.second;
+                         })->first;
+        for (Chain& c : chains_) {
+            if (c.alive && find(c.nodes[0]) != best && !drop(c)) return false;
+        }
+        return true;
+    }
+
+    static void reverse(Chain& c) {
+        std::swap(c.nodes[0], c.nodes[1]);
+        std::reverse(c.pieces.begin(), c.pieces.end());
+        for (LinePiece& p : c.pieces) std::swap(p.t0, p.t1);
+    }
+
+    void dissolve() {
+        while (uniteDoubles() || uniteStraight()) {
+        }
+    }
+
+    bool uniteDoubles() {
+        for (std::size_t i = 0; i < chains_.size(); ++i) {
+            for (std::size_t j = i + 1; j < chains_.size(); ++j) {
+                Chain& a = chains_[i];
+                Chain& b = chains_[j];
+                if (!a.alive || !b.alive ||
+                    std::minmax(a.nodes[0], a.nodes[1]) != std::minmax(b.nodes[0], b.nodes[1])) {
+                    continue;
+                }
+                if (a.modelEdge >= 0) {
+                    b.alive = false;
+                } else if (b.modelEdge >= 0) {
+                    a.alive = false;
+                } else {
+                    if (a.nodes[0] != b.nodes[0]) reverse(b);
+                    a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
+                    b.alive = false;
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool uniteStraight() {
+        const auto around = incidence();
+        for (std::size_t n = 0; n < around.size(); ++n) {
+            if (around[n].size() != 2) continue;
+            Chain& a = chains_[at(around[n][0])];
+            Chain& b = chains_[at(around[n][1])];
+            const int ni = static_cast<int>(n);
+            if (a.modelEdge != b.modelEdge) continue;
+            if (a.nodes[1] != ni) reverse(a);
+            if (b.nodes[0] != ni) reverse(b);
+            if (a.nodes[0] == b.nodes[1]) continue;
+            const Vec2 u = joint_.nodes[n].px - joint_.nodes[at(a.nodes[0])].px;
+            const Vec2 w = joint_.nodes[at(b.nodes[1])].px - joint_.nodes[n].px;
+            const Vec2 chord = u + w;
+            const double turn =
+                std::abs(std::atan2(cross2(u, w), u.dot(w))) * 180.0 / std::numbers::pi;
+            const double bend = chord.norm() < 1e-9 ? 0.0 : std::abs(cross2(chord.normalized(), u));
+            if (a.modelEdge < 0 &&
+                (turn > tol::kNearlyStraightDeg || bend > 2.0 * tol::kStraightBend * distance_)) {
+                continue;
+            }
+            a.nodes[1] = b.nodes[1];
+            a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
+            b.alive = false;
+            return true;
+        }
+        return false;
+    }
+
+    const JointGraph& joint_;
+    double distance_;
+    std::vector<Chain> chains_;
+    std::vector<int> number_;
+    std::vector<int> nodes_;
+    double stray_ = 0.0;
+    int modelEdges_ = 0;
+};
+
+}  // namespace
+
+std::vector<JointReading> closedReadings(const JointGraph& joint,
+                                         const std::function<bool(const PlaneGraph&)>& known,
+                                         double distancePx, std::size_t limit) {
+    std::vector<int> optional;
+    for (std::size_t e = joint.inkEdges; e < joint.edges.size(); ++e) {
+        optional.push_back(static_cast<int>(e));
+    }
+    std::stable_sort(optional.begin(), optional.end(), [&](int a, int b) {
+        const JointEdge& x = joint.edges[at(a)];
+        const JointEdge& y = joint.edges[at(b)];
+        return std::pair(x.redrawn < 0.5, x.way) < std::pair(y.redrawn < 0.5, y.way);
+    });
+    if (optional.size() > kMostOptional) optional.resize(kMostOptional);
+
+    Closing closing(joint, distancePx);
+    std::vector<JointReading> found;
+    std::set<std::vector<std::array<int, 2>>> seen;
+    for (unsigned mask = 0; mask < (1u << optional.size()); ++mask) {
+        std::vector<int> chosen;
+        for (std::size_t i = 0; i < optional.size(); ++i) {
+            if ((mask >> i & 1u) != 0) chosen.push_back(optional[i]);
+        }
+        if (!closing.take(chosen) || !known(closing.shape())) continue;
+        JointReading r = closing.reading();
+        std::vector<std::array<int, 2>> key;
+        for (std::size_t e = 0; e < r.graph.edges.size(); ++e) {
+            const int a = r.junctionNode[at(r.graph.edges[e].ends[0])];
+            const int b = r.junctionNode[at(r.graph.edges[e].ends[1])];
+            key.push_back({std::min(a, b), std::max(a, b)});
+        }
+        std::sort(key.begin(), key.end());
+        if (seen.insert(std::move(key)).second) found.push_back(std::move(r));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const JointReading& a, const JointReading& b) {
+        return std::pair(a.strayPx, a.modelEdges) < std::pair(b.strayPx, b.modelEdges);
+    });
+    if (found.size() > limit) found.resize(limit);
+    return found;
+}
+
+}  // namespace ew

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/model_view.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/tolerance.h"
+
+namespace ew {
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
+
+Result<ModelView> ModelView::make(const Body& body, const OrthographicCamera& camera) {
+    auto view = SolidView::make(body.solid, body.pose, camera);
+    if (!view) return fail(view.error());
+    return ModelView(body, camera, std::move(*view));
+}
+
+ModelView::ModelView(const Body& body, const OrthographicCamera& camera, SolidView view)
+    : body_(body), camera_(camera), view_(std::move(view)), pieces_(view_.visiblePieces()) {
+    toCamera_ = camera_.cameraToWorld().transpose() * body_.pose.rotation;
+    const auto bounds = body_.solid.bounds();
+    tolerance_ = tol::kPlanarRelative * (bounds[1] - bounds[0]).norm();
+}
+
+Vec3 ModelView::vertex(int v) const {
+    const Vec2& p = view_.points()[at(v)];
+    return {p.x(), p.y(), view_.depths()[at(v)]};
+}
+
+CameraPlane ModelView::plane(int face) const {
+    const SolidFace& f = body_.solid.faces()[at(face)];
+    const Vec3 n = toCamera_ * f.normal;
+    return {n, n.dot(vertex(f.loops.front().front()))};
+}
+
+Vec3 ModelView::direction(const Vec3& body) const { return (toCamera_ * body).normalized(); }
+
+Vec3 ModelView::edgeDirection(int edge) const {
+    const SolidEdge& e = body_.solid.edges()[at(edge)];
+    const auto& v = body_.solid.vertices();
+    return direction(v[at(e.ends[1])] - v[at(e.ends[0])]);
+}
+
+Vec3 ModelView::toBody(const Vec3& camera) const {
+    return body_.pose.toBody(camera_.unproject(camera.head<2>(), camera.z()));
+}
+
+std::optional<int> ModelView::faceAt(const Vec2& px) const {
+    const auto pick = view_.pick(px);
+    return pick ? std::optional<int>(pick->face) : std::nullopt;
+}
+
+bool ModelView::vertexInFace(int vertex, int face) const {
+    const SolidFace& f = body_.solid.faces()[at(face)];
+    return std::abs(f.normal.dot(body_.solid.vertices()[at(vertex)]) - f.offset) <= tolerance_;
+}
+
+bool ModelView::edgeInFace(int edge, int face) const {
+    const SolidEdge& e = body_.solid.edges()[at(edge)];
+    return vertexInFace(e.ends[0], face) && vertexInFace(e.ends[1], face);
+}
+
+}  // namespace ew

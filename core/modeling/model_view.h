@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/camera.h"
+#include "core/solid/solid.h"
+#include "core/solid/visibility.h"
+
+namespace ew {
+
+/// A plane in camera space [px]: normal . p = offset.
+struct CameraPlane {
+    Vec3 normal = Vec3::UnitZ();  ///< unit
+    double offset = 0.0;          ///< [px]
+};
+
+/// A body as the Sketch Plane shows it. Camera space: x right, y down, z away from the eye, all in
+/// px; x and y are Sketch Plane px.
+class ModelView {
+  public:
+    /// Errors: BadValue for a camera that is none.
+    static Result<ModelView> make(const Body& body, const OrthographicCamera& camera);
+
+    const Solid& solid() const { return body_.solid; }
+    const Pose& pose() const { return body_.pose; }
+    const std::vector<VisiblePiece>& pieces() const { return pieces_; }
+    const SolidView& view() const { return view_; }
+
+    Vec3 vertex(int v) const;                ///< camera space
+    CameraPlane plane(int face) const;       ///< camera space
+    Vec3 direction(const Vec3& body) const;  ///< unit, camera space
+    Vec3 edgeDirection(int edge) const;      ///< unit, camera space
+    Vec3 toBody(const Vec3& camera) const;   ///< [mm]
+    std::optional<int> faceAt(const Vec2& px) const;
+    /// Does an edge lie in the plane of a face?
+    bool edgeInFace(int edge, int face) const;
+    bool vertexInFace(int vertex, int face) const;
+
+  private:
+    ModelView(const Body& body, const OrthographicCamera& camera, SolidView view);
+
+    Body body_;
+    OrthographicCamera camera_;
+    SolidView view_;
+    std::vector<VisiblePiece> pieces_;
+    Mat3 toCamera_ = Mat3::Identity();
+    double tolerance_ = 0.0;  ///< [mm]
+};
+
+}  // namespace ew

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/modification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/canonical.h"
+#include "core/modeling/general_fit.h"
+#include "core/modeling/joint_graph.h"
+#include "core/modeling/placement.h"
+#include "core/solid/boolean.h"
+#include "core/tlib/matcher.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A placement with where it comes from.
+struct Option {
+    Placement placement;
+    GraphMatch match;
+    EdgeGraph graph;
+    int body = -1;
+    double cost = 0.0;
+    double leftOutPx = 0.0;  ///< ink that it does not explain
+    std::optional<Solid> result;
+};
+
+double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double pastPx) {
+    const Vec2 d = b - a;
+    const double past = pastPx / std::max(d.norm(), 1e-6);
+    const double t =
+        std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -past, 1.0 + past);
+    return (p - a - t * d).norm();
+}
+
+class Modification {
+  public:
+    Modification(const InkReading& ink, const TemplateLibrary& library,
+                 const InterpretOptions& options)
+        : ink_(ink),
+          index_(onSolidIndex(library.index())),
+          options_(options),
+          distance_(options.thresholds.distancePx) {
+        noise_ = std::max(tol::kNoiseFloorPx, tol::kMissPerWobble * ink.wobblePx);
+    }
+
+    ModificationReading run() {
+        for (std::size_t b = 0; b < options_.bodies.size(); ++b) {
+            auto view = ModelView::make(options_.bodies[b], options_.camera);
+            if (!view) {
+                problem_ = view.error();
+                continue;
+            }
+            read(*view, static_cast<int>(b));
+        }
+        std::stable_sort(found_.begin(), found_.end(),
+                         [](const Option& a, const Option& b) { return a.cost < b.cost; });
+        carryOut();
+        conclude();
+        return std::move(out_);
+    }
+
+  private:
+    /// A matched part of a joint graph.
+    struct Match {
+        std::shared_ptr<const JointGraph> joint;
+        JointReading reading;
+        GraphMatch match;
+        double price;
+    };
+
+    void read(const ModelView& view, int body) {
+        static const std::vector<ReadingOptions> kReadings{
+            {}, {1.0, 1.3, 0.7}, {0.72, 0.6, 0.2}, {1.3, 1.0, 0.4, 1.8}};
+        for (std::size_t i = 0; i < kReadings.size(); ++i) {
+            // Reaching past the distance threshold is for unsteady hands.
+            const double spread = tol::kSpreadPerWobble * ink_.wobblePx;
+            if (kReadings[i].joinScale > 1.0 && spread < 0.25 * distance_) continue;
+            const double price = i == 0 ? 0.0 : tol::kSecondLookCost;
+            std::vector<Match> matches;
+            if (readJoint(view, {options_.thresholds, kReadings[i]}, price, matches)) {
+                // A line beside a model edge may be one of its own.
+                readJoint(view, {options_.thresholds, kReadings[i], false},
+                          price + tol::kSecondLookCost, matches);
+            }
+            // What fits with the model's directions needs no other.
+            place(matches, view, body, true);
+            if (understood()) break;
+            place(matches, view, body, false);
+            if (understood()) break;
+        }
+    }
+
+    /// Does some option explain all of the ink closely?
+    bool understood() const {
+        return std::any_of(found_.begin(), found_.end(), [&](const Option& o) {
+            return o.leftOutPx < distance_ &&
+                   o.placement.misfit <= 4.0 * static_cast<double>(o.graph.edges.size());
+        });
+    }
+
+    /// True where strokes were taken for model edges.
+    bool readJoint(const ModelView& view, const ExtractOptions& extract, double price,
+                   std::vector<Match>& matches) {
+        const auto joint =
+            std::make_shared<const JointGraph>(extractJointGraph(ink_, view, extract));
+        out_.touches = out_.touches || joint->touches;
+        if (joint->edges.empty() || joint->inkEdges > kMostInkEdges) return false;
+        const auto known = [this](const PlaneGraph& g) {
+            const CanonicalForm form = canonicalForm(g);
+            return !form.code.empty() && index_.byCode.contains(form.code);
+        };
+        MatchOptions m;
+        m.distancePx = distance_;
+        m.templateId = options_.templateId;
+        m.spreadPx = tol::kSpreadPerWobble * ink_.wobblePx;
+        for (const JointReading& r : closedReadings(*joint, known, distance_, kMostReadings)) {
+            for (GraphMatch& found : matchGraph(r.graph, index_, m)) {
+                const bool adds = found.aspect->kind == AspectKind::Explicit;
+                if (options_.operation == Operation::Add && !adds) continue;
+                if (options_.operation == Operation::Cut && adds) continue;
+                matches.push_back({joint, r, std::move(found), price});
+            }
+        }
+        return joint->redraws;
+    }
+
+    void place(const std::vector<Match>& matches, const ModelView& view, int body, bool plain) {
+        for (const Match& m : matches) {
+            const int freedoms = templateFreedoms(m.match.entry->tmpl, m.match.entry->analysis);
+            for (Placement& p : placementsOf(*m.joint, m.reading, m.match, view,
+                                             {options_.thresholds, noise_, plain})) {
+                Option o;
+                o.leftOutPx = leftOut(p, m.match, view);
+                o.cost = p.cost + m.price + tol::kTemplateFreedomCost * freedoms +
+                         tol::kExtraEdgeCost * o.leftOutPx / (4.0 * distance_);
+                o.placement = std::move(p);
+                o.match = m.match;
+                o.graph = m.reading.graph;
+                o.body = body;
+                found_.push_back(std::move(o));
+            }
+        }
+    }
+
+    /// Ink that runs neither along an edge of the template nor along one of the model [px].
+    double leftOut(const Placement& p, const GraphMatch& m, const ModelView& view) const {
+        const double near = std::min(distance_, std::max(0.5 * distance_, 3.0 * noise_));
+        double length = 0;
+        for (const Segment& s : ink_.segments) {
+            std::size_t far = 0;
+            for (const Vec2& q : s.points) {
+                const bool drawn = std::any_of(m.edge.begin(), m.edge.end(), [&](int e) {
+                    const auto& ends = m.entry->analysis.edges[at(e)].ends;
+                    return distanceToSegment(q, p.points[at(ends[0])].head<2>(),
+                                             p.points[at(ends[1])].head<2>(), distance_) <= near;
+                });
+                const bool redrawn =
+                    !drawn && std::any_of(view.pieces().begin(), view.pieces().end(),
+                                          [&](const VisiblePiece& v) {
+                                              return distanceToSegment(q, v.px[0], v.px[1], 0.0) <=
+                                                     tol::kAlongModel * distance_;
+                                          });
+                if (!drawn && !redrawn) ++far;
+            }
+            length += s.inkPx * static_cast<double>(far) / static_cast<double>(s.points.size());
+        }
+        return length;
+    }
+
+    /// Makes the change of the most promising options; what cannot be made is dropped.
+    void carryOut() {
+        std::vector<Option> done;
+        std::size_t tried = 0;
+        for (Option& o : found_) {
+            if (done.size() >= at(options_.maxCandidates) || ++tried > kMostTried) break;
+            const Solid& target = options_.bodies[at(o.body)].solid;
+            auto tool = makeTool(target, o.placement.tool);
+            if (!tool) {
+                note(tool.error(), o);
+                continue;
+            }
+            auto outcome = combine(
+                target, *tool,
+                o.placement.operation == Operation::Add ? BooleanKind::Add : BooleanKind::Cut);
+            if (!outcome) {
+                note(outcome.error(), o);
+                continue;
+            }
+            // A body that is added stands on the solid; one beside it is another body.
+            if (o.placement.operation == Operation::Add &&
+                outcome->report.shells > outcome->report.shellsBefore) {
+                continue;
+            }
+            const bool known = std::any_of(done.begin(), done.end(), [&](const Option& d) {
+                return d.body == o.body && sameResult(o, *d.result, outcome->solid);
+            });
+            if (known) continue;
+            shells_.push_back(outcome->report.shells - outcome->report.shellsBefore);
+            o.result = std::move(outcome->solid);
+            done.push_back(std::move(o));
+        }
+        found_ = std::move(done);
+    }
+
+    /// The reason that is told is that of the best option.
+    void note(const Error& error, const Option& o) {
+        if (problem_) return;
+        problem_ = error;
+        for (const Junction& j : o.graph.junctions) {
+            if (problem_->where.empty()) problem_->where.push_back(j.position);
+        }
+    }
+
+    /// The same change but for what no hand can tell apart.
+    bool sameResult(const Option& o, const Solid& a, const Solid& b) const {
+        const double before = options_.bodies[at(o.body)].solid.volume();
+        return a.faces().size() == b.faces().size() && a.edges().size() == b.edges().size() &&
+               std::abs(a.volume() - b.volume()) <=
+                   tol::kSameChange * std::abs(a.volume() - before);
+    }
+
+    void conclude() {
+        Interpretation& r = out_.interpretation;
+        if (found_.empty()) {
+            r.graph = buildEdgeGraph(ink_, distance_);
+            r.problem = problem_
+                            ? *problem_
+                            : Error{Errc::NoMatch,
+                                    "These lines and the edges that they meet show no template "
+                                    "on the solid.",
+                                    place()};
+            return;
+        }
+        r.graph = found_.front().graph;
+        for (std::size_t i = 0; i < found_.size(); ++i) r.candidates.push_back(candidate(i));
+        const Option& best = found_.front();
+        const bool rival = found_.size() > 1 && found_[1].cost < best.cost + tol::kClearMargin;
+        double ink = 0;
+        for (const Segment& s : ink_.segments) ink += s.inkPx;
+        if (!rival && best.leftOutPx <= tol::kMostUnexplained * ink) {
+            r.accepted = 0;
+            return;
+        }
+        explainChoice(rival);
+    }
+
+    void explainChoice(bool rival) {
+        Interpretation& r = out_.interpretation;
+        std::string names = sentence(r.candidates[0]);
+        if (rival) names += " or " + sentence(r.candidates[1]);
+        for (std::size_t i = 0; i < (rival ? 2u : 1u); ++i) {
+            Repair use;
+            use.kind = Repair::Kind::UseCandidate;
+            use.candidate = static_cast<int>(i);
+            use.label = "Take: " + sentence(r.candidates[i]);
+            r.repairs.push_back(std::move(use));
+        }
+        r.problem =
+            Error{Errc::Ambiguous,
+                  rival ? "This can be read as " + names + "; choose one."
+                        : "This could be " + names +
+                              ", but only without some of the lines; choose it, or draw on.",
+                  place()};
+    }
+
+    static std::string sentence(const Candidate& c) {
+        return std::string(c.operation == Operation::Add ? "adding a " : "cutting a ") +
+               c.templateName;
+    }
+
+    std::vector<Vec2> place() const {
+        for (const Segment& s : ink_.segments) return {s.a};
+        return {};
+    }
+
+    Candidate candidate(std::size_t i) const {
+        const Option& o = found_[i];
+        Candidate c;
+        c.templateId = o.match.entry->tmpl.id;
+        c.templateName = o.match.entry->tmpl.name;
+        c.aspect = o.match.aspect->name;
+        c.operation = o.placement.operation;
+        c.readingId = "default";
+        c.residualPx = o.placement.residualPx;
+        c.junctionVertex = o.match.vertex;
+        c.spec = o.placement.tool.shape;
+        c.pose = options_.bodies[at(o.body)].pose;
+        c.body = o.body;
+        c.result = o.result;
+        const double off = c.residualPx / distance_;
+        c.score = std::exp(-2.0 * off * off) *
+                  (i == 0 ? 1.0 : std::exp(-std::max(0.0, o.cost - found_.front().cost) / 30.0));
+        if (shells_[i] > 0) {
+            c.notes.push_back("The solid falls into " + std::to_string(shells_[i] + 1) +
+                              " separate pieces.");
+        }
+        return c;
+    }
+
+    static constexpr std::size_t kMostInkEdges = 60;
+    static constexpr std::size_t kMostReadings = 12;
+    static constexpr std::size_t kMostTried = 12;
+
+    const InkReading& ink_;
+    const LibraryIndex& index_;
+    const InterpretOptions& options_;
+    double distance_;
+    double noise_ = 1.0;
+    std::vector<Option> found_;
+    std::vector<int> shells_;
+    std::optional<Error> problem_;
+    ModificationReading out_;
+};
+
+}  // namespace
+
+ModificationReading readModification(const InkReading& ink, const TemplateLibrary& library,
+                                     const InterpretOptions& options) {
+    return Modification(ink, library, options).run();
+}
+
+}  // namespace ew

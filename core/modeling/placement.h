@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/modeling/interpretation.h"
+#include "core/modeling/joint_graph.h"
+#include "core/modeling/sighting.h"
+#include "core/solid/exact_tool.h"
+#include "core/tlib/matcher.h"
+
+namespace ew {
+
+/// A template placed on a solid (paper 4.2.2): some of its faces lie in faces of the solid, the
+/// rest is new.
+struct Placement {
+    Operation operation = Operation::Cut;        ///< Add or Cut
+    std::vector<std::array<int, 2>> coinciding;  ///< template face, face of the solid
+    CameraPoints points;                         ///< per template vertex, camera space [px]
+    ToolSpec tool;            ///< the same in the solid's frame, with what is exact
+    double residualPx = 0.0;  ///< rms distance of line ends to the projected edges
+    double misfit = 0.0;      ///< squared distances of line ends over the noise's variance, summed
+    int open = 0;             ///< degrees of freedom that only regularity closed
+    double cost = 0.0;        ///< misfit and prices; see RatedCandidate
+};
+
+struct PlacementOptions {
+    Thresholds thresholds;
+    double noisePx = 1.0;  ///< how far this hand's line ends miss what they aim at
+    bool plain = false;    ///< only where all directions are the model's: much quicker
+};
+
+/// All ways to place a matched template: a mouth or cavity lies in the faces under it and cuts, a
+/// body seen from outside stands with one of its hidden faces on a face and adds. Vertices on
+/// faces, edges and corners are anchored there; directions within the angle threshold of the
+/// model's are the model's; faces within the distance threshold of a parallel face of the model lie
+/// in it. Cheapest first.
+std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading& reading,
+                                    const GraphMatch& match, const ModelView& model,
+                                    const PlacementOptions& options);
+
+}  // namespace ew

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/surface/limit_surface.h"
+
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include <algorithm>
+
+#include "core/base/tolerance.h"
+
+namespace ew {
+namespace {
+
+namespace Osd = OpenSubdiv;
+
+const Osd::Bfr::Surface<double>::PointDescriptor kThree(3);
+
+}  // namespace
+
+Result<LimitSurface> LimitSurface::create(const ControlCage& cage, SubdivisionScheme scheme,
+                                          int exactLevels) {
+    const PolyMesh& mesh = cage.mesh;
+    std::vector<int> sizes;
+    sizes.reserve(static_cast<std::size_t>(mesh.faceCount()));
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        sizes.push_back(static_cast<int>(mesh.outline(f).size()));
+    }
+    std::vector<int> creaseEnds;
+    std::vector<float> creases;
+    for (const CreaseEdge& c : cage.creases) {
+        creaseEnds.push_back(c.from);
+        creaseEnds.push_back(c.to);
+        creases.push_back(static_cast<float>(std::min(c.sharpness, kInfiniteSharpness)));
+    }
+    std::vector<int> cornerPoints;
+    std::vector<float> corners;
+    for (const SharpPoint& c : cage.corners) {
+        cornerPoints.push_back(c.point);
+        corners.push_back(static_cast<float>(std::min(c.sharpness, kInfiniteSharpness)));
+    }
+    Osd::Far::TopologyDescriptor descriptor;
+    descriptor.numVertices = static_cast<int>(mesh.points.size());
+    descriptor.numFaces = mesh.faceCount();
+    descriptor.numVertsPerFace = sizes.data();
+    descriptor.vertIndicesPerFace = mesh.corners.data();
+    descriptor.numCreases = static_cast<int>(creases.size());
+    descriptor.creaseVertexIndexPairs = creaseEnds.data();
+    descriptor.creaseWeights = creases.data();
+    descriptor.numCorners = static_cast<int>(corners.size());
+    descriptor.cornerVertexIndices = cornerPoints.data();
+    descriptor.cornerWeights = corners.data();
+    using RefinerFactory = Osd::Far::TopologyRefinerFactory<Osd::Far::TopologyDescriptor>;
+    const auto type =
+        scheme == SubdivisionScheme::Loop ? Osd::Sdc::SCHEME_LOOP : Osd::Sdc::SCHEME_CATMARK;
+    Osd::Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(Osd::Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    LimitSurface out(cage);
+    out.refiner_.reset(RefinerFactory::Create(descriptor, RefinerFactory::Options(type, options)));
+    if (!out.refiner_) return fail(Errc::Internal, "The cage could not be subdivided.");
+    Osd::Bfr::SurfaceFactory::Options factoryOptions;
+    out.coarse_ = std::make_unique<Factory>(*out.refiner_, factoryOptions);
+    // Points of that many rounds of subdivision are then exact beside extraordinary points too.
+    factoryOptions.SetApproxLevelSmooth(std::max(exactLevels, 2));
+    factoryOptions.SetApproxLevelSharp(std::max(exactLevels, 6));
+    out.fine_ = std::make_unique<Factory>(*out.refiner_, factoryOptions);
+    return out;
+}
+
+bool LimitSurface::select(int face, const Factory& factory) {
+    if (!factory.InitVertexSurface(face, &surface_)) return false;
+    patch_.resize(3 * static_cast<std::size_t>(surface_.GetNumPatchPoints()));
+    surface_.PreparePatchPoints(cage_->mesh.points.front().data(), kThree, patch_.data(), kThree);
+    return true;
+}
+
+Vec3 LimitSurface::position(double u, double v) const {
+    const double uv[2] = {u, v};
+    Vec3 p;
+    surface_.Evaluate(uv, patch_.data(), kThree, p.data());
+    return p;
+}
+
+void LimitSurface::evaluate(double u, double v, Vec3& position, Vec3& normal) const {
+    const double uv[2] = {u, v};
+    Vec3 du;
+    Vec3 dv;
+    surface_.Evaluate(uv, patch_.data(), kThree, position.data(), du.data(), dv.data());
+    normal = du.cross(dv);
+    const double length = normal.norm();
+    const bool flat = length <= tol::kNoNormalSine * du.norm() * dv.norm();
+    normal = flat ? Vec3(Vec3::Zero()) : Vec3(normal / length);
+}
+
+int LimitSurface::weights(double u, double v, double* p, double* du, double* dv) const {
+    const double uv[2] = {u, v};
+    return surface_.EvaluateStencil(uv, p, du, dv);
+}
+
+}  // namespace ew

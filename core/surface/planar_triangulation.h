@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to core/surface.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/vec.h"
+
+namespace ew {
+
+/// Constrained Delaunay triangulation of a polygon with holes, in the projection along the largest
+/// axis of its normal. Adds no point; exact predicates on the rounded coordinates.
+/// \param loops   indices into points, [0] the outline, counter-clockwise about `normal`.
+/// \return triangles counter-clockwise about `normal`; nothing where loops cross or touch.
+std::optional<std::vector<std::array<int, 3>>> triangulatePlanar(
+    const std::vector<Vec3>& points, std::span<const std::span<const int>> loops,
+    const Vec3& normal);
+
+}  // namespace ew

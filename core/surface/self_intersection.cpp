@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/surface/self_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tolerance.h"
+#include "core/surface/box_tree.h"
+
+namespace ew {
+namespace {
+
+using Triangle = std::array<Vec3, 3>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class Finder {
+  public:
+    Finder(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles)
+        : points_(points), triangles_(triangles) {
+        Box3 whole;
+        for (const Vec3& p : points) whole.extend(p);
+        apart_ = tol::kApartRelative * (whole.isEmpty() ? 0.0 : whole.diagonal().norm());
+        normals_.reserve(triangles.size());
+        for (const auto& t : triangles) {
+            normals_.push_back((point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])));
+        }
+    }
+
+    BoxTree tree() const {
+        std::vector<Box3> boxes;
+        boxes.reserve(triangles_.size());
+        for (const auto& t : triangles_) {
+            Box3 box(point(t[0]));
+            box.extend(point(t[1]));
+            box.extend(point(t[2]));
+            boxes.push_back(box);
+        }
+        return BoxTree(std::move(boxes));
+    }
+
+    bool meet(int a, int b) const {
+        std::array<int, 3> s = triangles_[at(a)];
+        std::array<int, 3> t = triangles_[at(b)];
+        // Shared corners first, in the same order.
+        std::size_t shared = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = shared; k < 3; ++k) {
+                if (s[i] != t[k]) continue;
+                std::swap(s[shared], s[i]);
+                std::swap(t[shared], t[k]);
+                ++shared;
+                break;
+            }
+        }
+        switch (shared) {
+            case 0:
+                return !separated(corners(s), corners(t), normals_[at(a)], normals_[at(b)]);
+            case 1:
+                return conesMeet(s, t, normals_[at(a)], normals_[at(b)]);
+            case 2:
+                return folded(s, t);
+            default:
+                return true;
+        }
+    }
+
+  private:
+    const Vec3& point(int i) const { return points_[at(i)]; }
+    Triangle corners(const std::array<int, 3>& t) const {
+        return {point(t[0]), point(t[1]), point(t[2])};
+    }
+
+    bool splits(const Vec3& axis, const Triangle& s, const Triangle& t) const {
+        const double length = axis.norm();
+        if (length <= 0.0) return false;
+        const double s0 = axis.dot(s[0] - t[0]);
+        const double s1 = axis.dot(s[1] - t[0]);
+        const double s2 = axis.dot(s[2] - t[0]);
+        const double t1 = axis.dot(t[1] - t[0]);
+        const double t2 = axis.dot(t[2] - t[0]);
+        const double gap = std::max(std::min({s0, s1, s2}) - std::max({0.0, t1, t2}),
+                                    std::min({0.0, t1, t2}) - std::max({s0, s1, s2}));
+        return gap > apart_ * length;
+    }
+
+    /// Separating axes of two triangles, those of coplanar ones included.
+    bool separated(const Triangle& s, const Triangle& t, const Vec3& ns, const Vec3& nt) const {
+        if (splits(ns, s, t) || splits(nt, s, t)) return true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 e = s[(i + 1) % 3] - s[i];
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (splits(e.cross(t[(k + 1) % 3] - t[k]), s, t)) return true;
+            }
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (splits(ns.cross(s[(i + 1) % 3] - s[i]), s, t)) return true;
+            if (splits(nt.cross(t[(i + 1) % 3] - t[i]), s, t)) return true;
+        }
+        return false;
+    }
+
+    /// Two triangles at one corner are apart elsewhere where a plane through the corner has one
+    /// wholly on its one side and the other on the other, and only one of them has an edge in it.
+    bool conesMeet(const std::array<int, 3>& s, const std::array<int, 3>& t, const Vec3& ns,
+                   const Vec3& nt) const {
+        const Vec3& p = point(s[0]);
+        const std::array<Vec3, 2> a{point(s[1]) - p, point(s[2]) - p};
+        const std::array<Vec3, 2> b{point(t[1]) - p, point(t[2]) - p};
+        const auto splitsCones = [&](const Vec3& axis) {
+            const double slack = apart_ * axis.norm();
+            const double a0 = axis.dot(a[0]);
+            const double a1 = axis.dot(a[1]);
+            const double b0 = axis.dot(b[0]);
+            const double b1 = axis.dot(b[1]);
+            const auto strictly = [&](double x, double y) {
+                return std::min(x, y) > slack || std::max(x, y) < -slack;
+            };
+            const double middleA = a0 + a1;
+            const double middleB = b0 + b1;
+            if (strictly(a0, a1)) {
+                return middleA > 0.0 ? std::max(b0, b1) <= slack : std::min(b0, b1) >= -slack;
+            }
+            if (strictly(b0, b1)) {
+                return middleB > 0.0 ? std::max(a0, a1) <= slack : std::min(a0, a1) >= -slack;
+            }
+            return false;
+        };
+        if (splitsCones(ns) || splitsCones(nt)) return false;
+        for (const Vec3& x : a) {
+            if (splitsCones(ns.cross(x))) return false;
+        }
+        for (const Vec3& y : b) {
+            if (splitsCones(nt.cross(y))) return false;
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Vec3 axis = a[i].cross(b[k]);
+                const double length = axis.norm();
+                if (length <= tol::kFoldedSine * a[i].norm() * b[k].norm()) continue;
+                const double other = axis.dot(a[1 - i]);
+                const double back = axis.dot(b[1 - k]);
+                const double slack = apart_ * length;
+                if ((other > slack && back < -slack) || (other < -slack && back > slack)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    bool folded(const std::array<int, 3>& s, const std::array<int, 3>& t) const {
+        const Vec3 edge = (point(s[1]) - point(s[0])).normalized();
+        const auto away = [&](int i) -> Vec3 {
+            const Vec3 d = point(i) - point(s[0]);
+            return d - edge * edge.dot(d);
+        };
+        const Vec3 u = away(s[2]);
+        const Vec3 w = away(t[2]);
+        if (u.dot(w) <= 0.0) return false;
+        return u.cross(w).norm() <= tol::kFoldedSine * u.norm() * w.norm();
+    }
+
+    const std::vector<Vec3>& points_;
+    const std::vector<std::array<int, 3>>& triangles_;
+    std::vector<Vec3> normals_;
+    double apart_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<std::pair<int, int>> selfIntersections(const std::vector<Vec3>& points,
+                                                   const std::vector<std::array<int, 3>>& triangles,
+                                                   const std::vector<int>& group,
+                                                   std::size_t limit) {
+    const Finder finder(points, triangles);
+    std::vector<std::pair<int, int>> out;
+    finder.tree().overlappingPairs([&](int a, int b) {
+        if (out.size() >= limit) return;
+        if (group[at(a)] >= 0 && group[at(a)] == group[at(b)]) return;
+        if (finder.meet(a, b)) out.emplace_back(a, b);
+    });
+    return out;
+}
+
+}  // namespace ew

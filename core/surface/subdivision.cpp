@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/surface/subdivision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+#include "core/base/tolerance.h"
+#include "core/surface/cage_edges.h"
+#include "core/surface/limit_surface.h"
+#include "core/surface/surface_pattern.h"
+#include "core/surface/surface_rates.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Result<void> checkInput(const ControlCage& cage, const SubdivisionOptions& options) {
+    if (!std::isfinite(options.tolerance) || options.tolerance < 0.0) {
+        return fail(Errc::BadValue, "The tolerance must be a positive number.");
+    }
+    if (options.levels < 0 || options.levels > kMaxSubdivisionLevels) {
+        return fail(Errc::BadValue, "There are 0 to " + std::to_string(kMaxSubdivisionLevels) +
+                                        " levels of subdivision, not " +
+                                        std::to_string(options.levels) + ".");
+    }
+    if (cage.mesh.faceCount() == 0) return fail(Errc::NoSolid, "There is nothing to subdivide.");
+    for (const Vec3& p : cage.mesh.points) {
+        if (!p.allFinite()) return fail(Errc::BadValue, "A corner of the cage is not a number.");
+    }
+    for (int f = 0; f < cage.mesh.faceCount(); ++f) {
+        if (cage.mesh.loopCount(f) != 1 || cage.mesh.outline(f).size() < 3) {
+            return fail(Errc::BadValue,
+                        "Face " + std::to_string(f) + " of the cage is no plain polygon.");
+        }
+        if (options.scheme == SubdivisionScheme::Loop && cage.mesh.outline(f).size() != 3) {
+            return fail(Errc::BadValue, "Loop subdivision needs triangles, face " +
+                                            std::to_string(f) + " is none.");
+        }
+    }
+    return checkClosed(cage.mesh);
+}
+
+class Tessellator {
+  public:
+    Tessellator(const ControlCage& cage, const SubdivisionOptions& options, LimitSurface surface)
+        : cage_(cage), options_(options), surface_(std::move(surface)), edges_(cage) {}
+
+    Result<SurfaceMesh> run() {
+        if (auto ok = chooseRates(); !ok) return fail(ok.error());
+        if (auto ok = reserve(); !ok) return fail(ok.error());
+        vertexPositions_.assign(cage_.mesh.points.size(), -1);
+        vertexNormals_.assign(cage_.mesh.points.size(), -1);
+        edgePositions_.assign(at(edges_.count()), -1);
+        edgeNormals_.assign(at(edges_.count()), -1);
+        for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
+            if (!surface_.select(f)) {
+                return fail(Errc::Internal,
+                            "Face " + std::to_string(f) + " of the cage has no surface.");
+            }
+            addFace(f);
+        }
+        mendNormals();
+        return std::move(out_);
+    }
+
+  private:
+    /// A point of a pattern in the result.
+    struct Slot {
+        int position;
+        int normal;
+    };
+
+    bool adaptive() const { return options_.tolerance > 0.0; }
+
+    Result<void> chooseRates() {
+        edgeRates_.assign(at(edges_.count()), 1);
+        if (!adaptive()) {
+            edgeRates_.assign(at(edges_.count()), 1 << options_.levels);
+            return {};
+        }
+        // Where one face needs more than this a side, the memory limit is exceeded anyway.
+        constexpr double kMost = 30000.0;
+        innerRates_.resize(at(cage_.mesh.faceCount()));
+        for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
+            if (!surface_.selectCoarse(f)) {
+                return fail(Errc::Internal,
+                            "Face " + std::to_string(f) + " of the cage has no surface.");
+            }
+            const auto sides = edges_.of(f);
+            hard_.clear();
+            for (const CageEdges::Side& side : sides) hard_.push_back(edges_.hard(side.edge));
+            const FaceRates rates = facePieces(surface_, options_.tolerance, hard_);
+            const auto whole = [&](double r) {
+                return static_cast<int>(std::ceil(std::clamp(r, 1.0, kMost)));
+            };
+            innerRates_[at(f)] = {whole(rates.inner[0]), whole(rates.inner[1])};
+            for (std::size_t k = 0; k < sides.size(); ++k) {
+                int& rate = edgeRates_[at(sides[k].edge)];
+                rate = std::max(rate, whole(rates.edges[k]));
+            }
+        }
+        return {};
+    }
+
+    /// Upper bounds of what face f adds.
+    std::array<double, 2> sizes(int f) const {
+        const auto sides = edges_.of(f);
+        if (!adaptive()) {
+            const double cells = std::pow(4.0, options_.levels);
+            const auto n = static_cast<double>(sides.size());
+            if (options_.scheme == SubdivisionScheme::Loop) return {0.5 * cells + 1.0, cells};
+            if (sides.size() == 4) return {cells + 1.0, 2.0 * cells};
+            return options_.levels == 0 ? std::array<double, 2>{n, n}
+                                        : std::array<double, 2>{n * cells / 4 + 1, n * cells / 2};
+        }
+        double across = innerRates_[at(f)][0];
+        double along = innerRates_[at(f)][1];
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            double& side = k % 2 == 0 ? across : along;
+            side = std::max(side, static_cast<double>(edgeRates_[at(sides[k].edge)]));
+        }
+        if (sides.size() == 4) return {across * along + across + along, 2.0 * across * along};
+        const double rate = std::max(across, along);
+        const double corners = sides.size() == 3 ? 1.0 : static_cast<double>(sides.size()) / 2.0;
+        return {corners * rate * rate + 3.0 * rate, 2.0 * corners * rate * rate + 3.0 * rate};
+    }
+
+    Result<void> checkMemory(double positions, double triangles) const {
+        const double perPosition = static_cast<double>(surfaceBytes(1, 0, edges_.anyHard()));
+        const double perTriangle = static_cast<double>(surfaceBytes(0, 1, edges_.anyHard()));
+        const double bytes = positions * perPosition + triangles * perTriangle;
+        constexpr double kMiB = 1024.0 * 1024.0;
+        constexpr double kMostTriangles = 5e8;  // indices are ints
+        if (bytes <= static_cast<double>(options_.memoryLimit) && triangles <= kMostTriangles) {
+            return {};
+        }
+        const auto mib = [](double b) {
+            return std::to_string(static_cast<long long>(std::ceil(b / kMiB)));
+        };
+        return fail(Errc::TooMuchMemory, "The surface would need about " + mib(bytes) +
+                                             " MiB, more than the limit of " +
+                                             mib(static_cast<double>(options_.memoryLimit)) +
+                                             " MiB. Choose fewer levels or a coarser tolerance.");
+    }
+
+    /// First bounds the size from above, so that no pattern gets out of hand, then counts it.
+    Result<void> reserve() {
+        double positions = static_cast<double>(cage_.mesh.points.size());
+        double triangles = 0.0;
+        for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
+            const auto size = sizes(f);
+            positions += size[0];
+            triangles += size[1];
+        }
+        // Stitched faces have about half of the bound.
+        constexpr double kSlack = 0.25;
+        if (auto ok = checkMemory(kSlack * positions, kSlack * triangles); !ok) return ok;
+        std::size_t pointCount = cage_.mesh.points.size();
+        std::size_t triangleCount = 0;
+        for (const int rate : edgeRates_) pointCount += at(rate - 1);
+        for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
+            SurfacePattern& p = pattern(f);
+            ++p.uses;
+            std::size_t border = 0;
+            for (const CageEdges::Side& side : edges_.of(f))
+                border += at(edgeRates_[at(side.edge)]);
+            pointCount += p.coords.size() - border;
+            for (const auto& facet : p.facets) triangleCount += facet[3] < 0 ? 1 : 2;
+        }
+        if (auto ok =
+                checkMemory(static_cast<double>(pointCount), static_cast<double>(triangleCount));
+            !ok) {
+            return ok;
+        }
+        out_.positions.reserve(pointCount);
+        out_.normals.reserve(pointCount);
+        out_.triangles.reserve(triangleCount);
+        out_.origin.reserve(triangleCount);
+        if (edges_.anyHard()) out_.normalTriangles.reserve(triangleCount);
+        return {};
+    }
+
+    SurfacePattern& pattern(int face) {
+        const auto sides = edges_.of(face);
+        const OpenSubdiv::Bfr::Parameterization parameters(
+            options_.scheme == SubdivisionScheme::Loop ? OpenSubdiv::Sdc::SCHEME_LOOP
+                                                       : OpenSubdiv::Sdc::SCHEME_CATMARK,
+            static_cast<int>(sides.size()));
+        key_.clear();
+        if (adaptive()) {
+            for (const CageEdges::Side& side : sides) key_.push_back(edgeRates_[at(side.edge)]);
+            key_.push_back(innerRates_[at(face)][0]);
+            if (sides.size() == 4) key_.push_back(innerRates_[at(face)][1]);
+        } else {
+            key_.push_back(static_cast<int>(sides.size()));
+        }
+        const auto [it, isNew] = patterns_.try_emplace(key_);
+        if (isNew) {
+            it->second = adaptive() ? adaptivePattern(parameters, key_)
+                                    : uniformPattern(parameters, options_.levels);
+        }
+        return it->second;
+    }
+
+    void evaluate(SurfacePattern& p, std::size_t i, bool plain, Vec3& position, Vec3& normal) {
+        // Weights are worth their memory where several faces share them.
+        constexpr int kFewUses = 4;
+        if (!plain || p.uses < kFewUses) {
+            surface_.evaluate(p.coords[i].x(), p.coords[i].y(), position, normal);
+            return;
+        }
+        if (p.weights.empty()) {
+            p.weights.resize(48 * p.coords.size());
+            for (std::size_t k = 0; k < p.coords.size(); ++k) {
+                double* w = p.weights.data() + 48 * k;
+                surface_.weights(p.coords[k].x(), p.coords[k].y(), w, w + 16, w + 32);
+            }
+        }
+        using Points = Eigen::Map<const Eigen::Matrix<double, 3, 16>>;
+        using Weights = Eigen::Map<const Eigen::Matrix<double, 16, 3>>;
+        const Eigen::Matrix3d at = Points(surface_.patchPoints()) * Weights(&p.weights[48 * i]);
+        position = at.col(0);
+        normal = at.col(1).cross(at.col(2)).normalized();
+    }
+
+    void addFace(int f) {
+        SurfacePattern& p = pattern(f);
+        const bool plain = options_.scheme == SubdivisionScheme::CatmullClark && edges_.plain(f);
+        slots_.assign(p.coords.size(), {-1, -1});
+        std::size_t i = 0;
+        const auto sides = edges_.of(f);
+        const auto corners = cage_.mesh.outline(f);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            addVertex(p, i++, corners[k], plain);
+            const int rate = edgeRates_[at(sides[k].edge)];
+            addEdge(p, i, sides[k], rate, plain);
+            i += at(rate - 1);
+        }
+        for (; i < p.coords.size(); ++i) {
+            Vec3 position;
+            Vec3 normal;
+            evaluate(p, i, plain, position, normal);
+            slots_[i] = {addPosition(position), addNormal(normal)};
+        }
+        for (const auto& q : p.facets) addFacet(f, q);
+    }
+
+    int addPosition(const Vec3& position) {
+        out_.positions.push_back(position);
+        return static_cast<int>(out_.positions.size()) - 1;
+    }
+    int addNormal(const Vec3& normal) {
+        out_.normals.push_back(normal);
+        return static_cast<int>(out_.normals.size()) - 1;
+    }
+
+    /// A point that faces share: its place once, its normal once or, where it is hard, per face.
+    void addShared(SurfacePattern& p, std::size_t i, bool plain, bool hard, int& position,
+                   int& normal) {
+        if (position < 0 || hard) {
+            Vec3 where;
+            Vec3 up;
+            evaluate(p, i, plain, where, up);
+            if (position < 0) position = addPosition(where);
+            normal = addNormal(up);
+        }
+        slots_[i] = {position, normal};
+    }
+
+    void addVertex(SurfacePattern& p, std::size_t i, int vertex, bool plain) {
+        addShared(p, i, plain, edges_.hardPoint(vertex), vertexPositions_[at(vertex)],
+                  vertexNormals_[at(vertex)]);
+    }
+
+    void addEdge(SurfacePattern& p, std::size_t first, const CageEdges::Side& side, int rate,
+                 bool plain) {
+        int& position = edgePositions_[at(side.edge)];
+        int& normal = edgeNormals_[at(side.edge)];
+        const bool hard = edges_.hard(side.edge);
+        const bool known = position >= 0;
+        if (!known) position = static_cast<int>(out_.positions.size());
+        if (!known || hard) normal = static_cast<int>(out_.normals.size());
+        for (int j = 0; j < rate - 1; ++j) {
+            // The face that came first wrote the points in its own direction.
+            const int back = rate - 2 - j;
+            int slotPosition = known ? position + back : -1;
+            int slotNormal = known && !hard ? normal + back : -1;
+            addShared(p, first + at(j), plain, hard, slotPosition, slotNormal);
+        }
+    }
+
+    /// Where the surface has no normal of its own, its triangles give one.
+    void mendNormals() {
+        std::vector<bool> missing(out_.normals.size());
+        for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = out_.normals[i].isZero(0.0);
+        if (std::find(missing.begin(), missing.end(), true) == missing.end()) return;
+        const auto& ids = edges_.anyHard() ? out_.normalTriangles : out_.triangles;
+        for (std::size_t t = 0; t < ids.size(); ++t) {
+            const Vec3& a = out_.positions[at(out_.triangles[t][0])];
+            const Vec3 area = (out_.positions[at(out_.triangles[t][1])] - a)
+                                  .cross(out_.positions[at(out_.triangles[t][2])] - a);
+            for (const int i : ids[t]) {
+                if (missing[at(i)]) out_.normals[at(i)] += area;
+            }
+        }
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            if (missing[i]) out_.normals[i].normalize();
+        }
+    }
+
+    void addFacet(int face, const std::array<int, 4>& q) {
+        const auto emit = [&](int a, int b, int c) {
+            const Slot& sa = slots_[at(a)];
+            const Slot& sb = slots_[at(b)];
+            const Slot& sc = slots_[at(c)];
+            out_.triangles.push_back({sa.position, sb.position, sc.position});
+            if (edges_.anyHard()) out_.normalTriangles.push_back({sa.normal, sb.normal, sc.normal});
+            out_.origin.push_back(face);
+        };
+        if (q[3] < 0) {
+            emit(q[0], q[1], q[2]);
+            return;
+        }
+        const auto where = [&](int k) -> const Vec3& {
+            return out_.positions[at(slots_[at(q[at(k)])].position)];
+        };
+        const bool firstShorter =
+            (where(0) - where(2)).squaredNorm() <= (where(1) - where(3)).squaredNorm();
+        if (firstShorter) {
+            emit(q[0], q[1], q[2]);
+            emit(q[0], q[2], q[3]);
+        } else {
+            emit(q[0], q[1], q[3]);
+            emit(q[1], q[2], q[3]);
+        }
+    }
+
+    const ControlCage& cage_;
+    const SubdivisionOptions& options_;
+    LimitSurface surface_;
+    CageEdges edges_;
+    std::vector<int> edgeRates_;
+    std::vector<std::array<int, 2>> innerRates_;
+    std::map<std::vector<int>, SurfacePattern> patterns_;
+    std::vector<int> key_;
+    std::vector<bool> hard_;
+    std::vector<int> vertexPositions_;
+    std::vector<int> vertexNormals_;
+    std::vector<int> edgePositions_;  ///< first of the points inside an edge
+    std::vector<int> edgeNormals_;
+    std::vector<Slot> slots_;
+    SurfaceMesh out_;
+};
+
+}  // namespace
+
+std::size_t surfaceBytes(std::size_t positions, std::size_t triangles, bool creased) {
+    const std::size_t perTriangle = sizeof(std::array<int, 3>) * (creased ? 2 : 1) + sizeof(int);
+    return positions * 2 * sizeof(Vec3) + triangles * perTriangle;
+}
+
+Result<SurfaceMesh> subdivide(const ControlCage& cage, const SubdivisionOptions& options) {
+    if (auto ok = checkInput(cage, options); !ok) return fail(ok.error());
+    // Adaptive points are anywhere; with this many levels the patches beside extraordinary points
+    // are within 1e-5 of the size of a face of the limit surface.
+    constexpr int kPatchLevels = 6;
+    auto surface = LimitSurface::create(cage, options.scheme,
+                                        options.tolerance > 0.0 ? kPatchLevels : options.levels);
+    if (!surface) return fail(surface.error());
+    return Tessellator(cage, options, std::move(*surface)).run();
+}
+
+}  // namespace ew

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/surface/surface_rates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace ew {
+namespace {
+
+using OpenSubdiv::Bfr::Parameterization;
+
+constexpr int kCells = 4;  ///< samples are kCells + 1 a side
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Points of a square domain and how much the surface bends there.
+class Grid {
+  public:
+    Grid(const std::function<Vec3(double, double)>& point) {
+        for (int k = 0; k <= kCells; ++k) {
+            for (int i = 0; i <= kCells; ++i) {
+                points_[index(i, k)] =
+                    point(static_cast<double>(i) / kCells, static_cast<double>(k) / kCells);
+            }
+        }
+        for (int k = 0; k <= kCells; ++k) {
+            for (int i = 0; i <= kCells; ++i) measure(i, k);
+        }
+    }
+
+    /// Second derivatives out of the tangent plane, largest over rows k0..k1 and columns i0..i1.
+    Vec3 bend(int i0, int i1, int k0, int k1) const {
+        Vec3 most = Vec3::Zero();
+        for (int k = k0; k <= k1; ++k) {
+            for (int i = i0; i <= i1; ++i) most = most.cwiseMax(bends_[index(i, k)]);
+        }
+        return most;
+    }
+
+    /// Second derivative of a border curve in all directions.
+    double curve(int side) const {
+        double most = 0.0;
+        for (int j = 1; j < kCells; ++j) {
+            const auto p = [&](int m) {
+                switch (side) {
+                    case 0:
+                        return points_[index(m, 0)];
+                    case 1:
+                        return points_[index(kCells, m)];
+                    case 2:
+                        return points_[index(m, kCells)];
+                    default:
+                        return points_[index(0, m)];
+                }
+            };
+            most = std::max(most, (p(j - 1) - 2.0 * p(j) + p(j + 1)).norm() * kCells * kCells);
+        }
+        return most;
+    }
+
+  private:
+    static std::size_t index(int i, int k) { return at(i + (kCells + 1) * k); }
+    static int inside(int i) { return std::clamp(i, 1, kCells - 1); }
+
+    void measure(int i, int k) {
+        const auto p = [&](int a, int b) -> const Vec3& { return points_[index(a, b)]; };
+        const int ci = inside(i);
+        const int ck = inside(k);
+        const Vec3 du = p(ci + 1, k) - p(ci - 1, k);
+        const Vec3 dv = p(i, ck + 1) - p(i, ck - 1);
+        Vec3 n = du.cross(dv);
+        const double length = n.norm();
+        if (length > 0.0) n /= length;
+        const double scale = kCells * kCells;
+        bends_[index(i, k)] = Vec3(std::abs(n.dot(p(ci - 1, k) - 2.0 * p(ci, k) + p(ci + 1, k))),
+                                   std::abs(n.dot(p(i, ck - 1) - 2.0 * p(i, ck) + p(i, ck + 1))),
+                                   0.25 * std::abs(n.dot(p(ci + 1, ck + 1) - p(ci - 1, ck + 1) -
+                                                         p(ci + 1, ck - 1) + p(ci - 1, ck - 1)))) *
+                              scale;
+    }
+
+    std::array<Vec3, (kCells + 1) * (kCells + 1)> points_;
+    std::array<Vec3, (kCells + 1) * (kCells + 1)> bends_;
+};
+
+/// Pieces along u and v so that (uu / nu^2 + 2 uv / (nu nv) + vv / nv^2) / 8 <= tolerance, with the
+/// fewest cells.
+std::array<double, 2> pieces(const Vec3& bend, double tolerance) {
+    // Samples miss the extreme bend by a little; this much is kept in hand.
+    constexpr double kReserve = 1.15;
+    const double limit = 8.0 * tolerance / kReserve;
+    const double ratio = std::clamp(
+        std::sqrt((bend[0] + 1e-3 * bend[2]) / (bend[1] + 1e-3 * bend[2] + 1e-300)), 0.1, 10.0);
+    const double a = (bend[0] + bend[2] * ratio) / limit;
+    const double b = (bend[1] + bend[2] / ratio) / limit;
+    if (2.0 * a <= 1.0 && 2.0 * b <= 1.0) return {1.0, 1.0};
+    if (2.0 * b <= 1.0) return {std::sqrt(a / (1.0 - b)), 1.0};
+    if (2.0 * a <= 1.0) return {1.0, std::sqrt(b / (1.0 - a))};
+    return {std::sqrt(2.0 * a), std::sqrt(2.0 * b)};
+}
+
+double curvePieces(double bend, double tolerance) { return std::sqrt(bend / (8.0 * tolerance)); }
+
+FaceRates quadRates(const LimitSurface& surface, double tolerance, const std::vector<bool>& hard) {
+    const Grid grid([&](double u, double v) { return surface.position(u, v); });
+    constexpr int kHalf = kCells / 2;
+    FaceRates out;
+    out.inner = pieces(grid.bend(0, kCells, 0, kCells), tolerance);
+    out.edges = {pieces(grid.bend(0, kCells, 0, kHalf), tolerance)[0],
+                 pieces(grid.bend(kHalf, kCells, 0, kCells), tolerance)[1],
+                 pieces(grid.bend(0, kCells, kHalf, kCells), tolerance)[0],
+                 pieces(grid.bend(0, kHalf, 0, kCells), tolerance)[1]};
+    for (int k = 0; k < 4; ++k) {
+        if (!hard[at(k)]) continue;
+        out.edges[at(k)] = std::max(out.edges[at(k)], curvePieces(grid.curve(k), tolerance));
+    }
+    return out;
+}
+
+/// Triangles and polygons are cut alike in all directions.
+FaceRates evenRates(double pieceCount, const std::vector<double>& curves,
+                    const std::vector<bool>& hard, double tolerance) {
+    FaceRates out;
+    out.inner = {pieceCount, pieceCount};
+    for (std::size_t k = 0; k < hard.size(); ++k) {
+        const double curve = hard[k] ? curvePieces(curves[k], tolerance) : 0.0;
+        out.edges.push_back(std::max(pieceCount, curve));
+    }
+    return out;
+}
+
+/// Edge lengths of the triangles that a corner's square domain is cut into, in its units, squared
+/// and halved: the hypotenuse adds both directions.
+double evenPieces(const Vec3& bend, double tolerance) {
+    // The pattern's triangles are not all cut along the two directions measured.
+    constexpr double kReserve = 1.4;
+    return std::max(1.0,
+                    std::sqrt(kReserve * (bend[0] + 2.0 * bend[2] + bend[1]) / (8.0 * tolerance)));
+}
+
+}  // namespace
+
+FaceRates facePieces(const LimitSurface& surface, double tolerance, const std::vector<bool>& hard) {
+    const Parameterization face = surface.parameterization();
+    if (face.GetType() == Parameterization::QUAD) return quadRates(surface, tolerance, hard);
+    const int n = face.GetFaceSize();
+    std::vector<double> curves(at(n), 0.0);
+    double most = 1.0;
+    if (face.GetType() == Parameterization::TRI) {
+        // The square is folded along the triangle's diagonal; each half stays inside.
+        for (int corner = 0; corner < 3; ++corner) {
+            const Grid grid([&](double s, double t) {
+                // A square at one corner, half the triangle's side long.
+                const double a = 0.5 * s;
+                const double b = 0.5 * t;
+                const double c = 1.0 - a - b;
+                switch (corner) {
+                    case 0:
+                        return surface.position(a, b);
+                    case 1:
+                        return surface.position(c, a);
+                    default:
+                        return surface.position(b, c);
+                }
+            });
+            // Derivatives by the half side are a quarter of those by the side.
+            const Vec3 bend = 4.0 * grid.bend(0, kCells, 0, kCells);
+            most = std::max(most, evenPieces(bend, tolerance));
+            // Corner 0 has edge 0 along s, corner 1 edge 1, corner 2 edge 2.
+            curves[at(corner)] = std::max(curves[at(corner)], 4.0 * grid.curve(0));
+            curves[at((corner + 2) % 3)] =
+                std::max(curves[at((corner + 2) % 3)], 4.0 * grid.curve(3));
+        }
+        return evenRates(most, curves, hard, tolerance);
+    }
+    for (int k = 0; k < n; ++k) {
+        const Grid grid([&](double s, double t) {
+            const double sub[2] = {s, t};
+            double uv[2];
+            face.ConvertNormalizedSubFaceToCoord(k, sub, uv);
+            return surface.position(uv[0], uv[1]);
+        });
+        const Vec3 bend = 4.0 * grid.bend(0, kCells, 0, kCells);
+        most = std::max(most, evenPieces(bend, tolerance));
+        curves[at(k)] = std::max(curves[at(k)], 4.0 * grid.curve(0));
+        curves[at((k + n - 1) % n)] = std::max(curves[at((k + n - 1) % n)], 4.0 * grid.curve(3));
+    }
+    return evenRates(most, curves, hard, tolerance);
+}
+
+}  // namespace ew

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/modification.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/modification_cases.h"
+#include "tests/support/random.h"
+
+namespace ew::test {
+namespace {
+
+const TemplateLibrary& library() {
+    static const TemplateLibrary shipped =
+        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
+    return shipped;
+}
+
+InterpretOptions optionsFor(const Body& body, const Pose& pose) {
+    InterpretOptions o;
+    o.camera = defaultBoxCamera(pose);
+    o.bodies = {body};
+    return o;
+}
+
+void expectRight(const ModificationCase& c, const Interpretation& r) {
+    ASSERT_TRUE(r.accepted) << c.name << ": " << (r.problem ? r.problem->message : "");
+    const Candidate& best = r.candidates[static_cast<std::size_t>(*r.accepted)];
+    EXPECT_EQ(best.operation, c.operation) << c.name;
+    ASSERT_TRUE(best.result) << c.name;
+    EXPECT_EQ(static_cast<int>(best.result->vertices().size()), c.vertices) << c.name;
+    EXPECT_EQ(static_cast<int>(best.result->edges().size()), c.edges) << c.name;
+    EXPECT_EQ(static_cast<int>(best.result->faces().size()), c.faces) << c.name;
+    EXPECT_NEAR(best.result->volume() / c.volume, 1.0, 1e-6) << c.name;
+}
+
+Pose turned(double angle, const Vec3& axis) {
+    Pose pose;
+    pose.rotation = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+    pose.translation = Vec3(11, -7, 5);
+    return pose;
+}
+
+TEST(Modification, ExactStrokesOnABoxGiveTheExactSolid) {
+    for (const Pose& pose : {Pose{}, turned(0.7, Vec3(1, 2, 3))}) {
+        for (const ModificationCase& c : boxModifications(pose)) {
+            const InterpretOptions o = optionsFor(c.target, pose);
+            expectRight(c, interpret(exactStrokes(linesOnPlane(c, o.camera)), library(), o));
+        }
+    }
+}
+
+TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {
+    Random random(5);
+    for (const ModificationCase& c : boxModifications()) {
+        if (c.name != "corner notch by its outline" && c.name != "box flush with one edge" &&
+            c.name != "pocket with its inside") {
+            continue;
+        }
+        const InterpretOptions o = optionsFor(c.target, {});
+        std::vector<Stroke> strokes = exactStrokes(linesOnPlane(c, o.camera));
+        random.shuffle(strokes);
+        for (std::size_t i = 0; i < strokes.size(); i += 2) {
+            std::reverse(strokes[i].samples.begin(), strokes[i].samples.end());
+            for (std::size_t k = 0; k < strokes[i].samples.size(); ++k) {
+                strokes[i].samples[k].timeMs = 8.0 * static_cast<double>(k);
+            }
+        }
+        expectRight(c, interpret(strokes, library(), o));
+    }
+}
+
+TEST(Modification, AskedForTheOtherOperationItDoesNotObeyBlindly) {
+    for (const ModificationCase& c : boxModifications()) {
+        if (c.name != "corner cut by a triangle" && c.name != "box inside a face") continue;
+        InterpretOptions o = optionsFor(c.target, {});
+        o.operation = c.operation == Operation::Add ? Operation::Cut : Operation::Add;
+        const auto strokes = exactStrokes(linesOnPlane(c, o.camera));
+        for (const Candidate& k : interpret(strokes, library(), o).candidates) {
+            EXPECT_EQ(k.operation, o.operation) << c.name;
+        }
+        o.operation = c.operation;
+        expectRight(c, interpret(strokes, library(), o));
+    }
+}
+
+TEST(Modification, ASketchBesideTheSolidIsANewBody) {
+    const ModificationCase first = boxModifications().front();
+    const InterpretOptions o = optionsFor(first.target, {});
+    // A box by itself, far to the right of the solid on the Sketch Plane.
+    const Vec2 y(1040, 160), a(960, 120), b(1140, 130), c(1045, 260);
+    const Vec2 ab = a + b - y, bc = b + c - y, ca = c + a - y;
+    const Interpretation r = interpret(
+        exactStrokes(
+            {{y, a}, {y, b}, {y, c}, {a, ab}, {b, ab}, {b, bc}, {c, bc}, {c, ca}, {a, ca}}),
+        library(), o);
+    ASSERT_TRUE(r.accepted);
+    EXPECT_EQ(r.candidates[static_cast<std::size_t>(*r.accepted)].operation, Operation::Create);
+}
+
+TEST(Modification, ALineAlongAnEdgeOnlyChangesNothing) {
+    const ModificationCase first = boxModifications().front();
+    const InterpretOptions o = optionsFor(first.target, {});
+    const Interpretation r = interpret(
+        exactStrokes({{o.camera.project(Vec3(10, 0, 40)), o.camera.project(Vec3(70, 0, 40))}}),
+        library(), o);
+    EXPECT_FALSE(r.accepted);
+    ASSERT_TRUE(r.problem);
+    EXPECT_FALSE(r.problem->message.empty());
+}
+
+TEST(Modification, ExtractedEdgesAreToldFromStrokes) {
+    for (const ModificationCase& c : boxModifications()) {
+        if (c.name != "corner notch by its outline") continue;
+        const InterpretOptions o = optionsFor(c.target, {});
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c, o.camera)), library(), o);
+        const auto extracted =
+            std::count_if(r.graph.edges.begin(), r.graph.edges.end(),
+                          [](const GraphEdge& e) { return e.origin == EdgeOrigin::Model; });
+        EXPECT_EQ(extracted, 3);
+        EXPECT_EQ(r.graph.edges.size(), 9u);
+    }
+}
+
+TEST(Modification, AShakyHandsNotchSnapsToTheBoxesDirections) {
+    Random random(11);
+    for (const ModificationCase& c : boxModifications()) {
+        if (c.name != "edge notch by its outline" && c.name != "box over the whole face") continue;
+        const InterpretOptions o = optionsFor(c.target, {});
+        const Interpretation r =
+            interpret(drawByHand(linesOnPlane(c, o.camera), kLightHand, random), library(), o);
+        ASSERT_TRUE(r.accepted) << c.name;
+        const Candidate& best = r.candidates[static_cast<std::size_t>(*r.accepted)];
+        ASSERT_TRUE(best.result);
+        EXPECT_EQ(static_cast<int>(best.result->faces().size()), c.faces);
+        const double change = std::abs(c.volume - c.target.solid.volume());
+        EXPECT_NEAR(best.result->volume(), c.volume, 0.08 * change) << c.name;
+        // Every edge of the result still runs along an axis of the box.
+        for (const SolidEdge& e : best.result->edges()) {
+            const Vec3 d = best.result->vertices()[static_cast<std::size_t>(e.ends[1])] -
+                           best.result->vertices()[static_cast<std::size_t>(e.ends[0])];
+            EXPECT_NEAR(d.cwiseAbs().maxCoeff(), d.norm(), 1e-9);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ew::test

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/surface/subdivision.h"
+
+#include <gtest/gtest.h>
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "tests/surface/set_distance.h"
+#include "tests/surface/shapes.h"
+
+namespace ew::test {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+ControlCage controlOf(const FilletedCage& cage, const ControlOptions& options = {}) {
+    auto control = controlCage(cage, options);
+    EXPECT_TRUE(control) << control.error().message;
+    EXPECT_TRUE(checkClosed(control->mesh));
+    return *control;
+}
+
+ControlCage smoothCage(const Solid& solid, SubdivisionScheme scheme) {
+    ControlOptions options;
+    options.scheme = scheme;
+    options.edgeSharpness.assign(solid.edges().size(), 0.0);
+    return controlOf(sharpCage(solid), options);
+}
+
+ControlCage filletedCage(const Solid& solid, double setback, SubdivisionScheme scheme) {
+    auto cage = fillet(solid, allEdges(solid, setback, 2));
+    EXPECT_TRUE(cage);
+    ControlOptions options;
+    options.scheme = scheme;
+    return controlOf(*cage, options);
+}
+
+SurfaceMesh surfaceOf(const ControlCage& cage, const SubdivisionOptions& options) {
+    auto surface = subdivide(cage, options);
+    EXPECT_TRUE(surface) << surface.error().message;
+    EXPECT_EQ(surface->origin.size(), surface->triangles.size());
+    return *surface;
+}
+
+PolyMesh asMesh(const SurfaceMesh& surface) {
+    PolyMesh mesh;
+    mesh.points = surface.positions;
+    for (const auto& t : surface.triangles) mesh.addFace({t[0], t[1], t[2]});
+    return mesh;
+}
+
+struct Point {
+    Vec3 p = Vec3::Zero();
+    void Clear() { p.setZero(); }
+    void AddWithWeight(const Point& o, double w) { p += w * o.p; }
+};
+
+/// The refined vertices moved to the limit surface by OpenSubdiv's own refinement and limit masks:
+/// another way than the patches that the code under test evaluates.
+std::vector<Vec3> refinedLimit(const ControlCage& cage, SubdivisionScheme scheme, int levels) {
+    std::vector<int> sizes;
+    for (int f = 0; f < cage.mesh.faceCount(); ++f) {
+        sizes.push_back(static_cast<int>(cage.mesh.outline(f).size()));
+    }
+    std::vector<int> ends;
+    std::vector<float> weights;
+    for (const CreaseEdge& c : cage.creases) {
+        ends.insert(ends.end(), {c.from, c.to});
+        weights.push_back(static_cast<float>(c.sharpness));
+    }
+    Far::TopologyDescriptor descriptor;
+    descriptor.numVertices = static_cast<int>(cage.mesh.points.size());
+    descriptor.numFaces = cage.mesh.faceCount();
+    descriptor.numVertsPerFace = sizes.data();
+    descriptor.vertIndicesPerFace = cage.mesh.corners.data();
+    descriptor.numCreases = static_cast<int>(weights.size());
+    descriptor.creaseVertexIndexPairs = ends.data();
+    descriptor.creaseWeights = weights.data();
+    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    const auto type = scheme == SubdivisionScheme::Loop ? OpenSubdiv::Sdc::SCHEME_LOOP
+                                                        : OpenSubdiv::Sdc::SCHEME_CATMARK;
+    const std::unique_ptr<Far::TopologyRefiner> refiner(
+        Factory::Create(descriptor, Factory::Options(type, OpenSubdiv::Sdc::Options())));
+    Far::TopologyRefiner::UniformOptions uniform(levels);
+    uniform.fullTopologyInLastLevel = true;
+    refiner->RefineUniform(uniform);
+    const Far::PrimvarRefinerReal<double> primvars(*refiner);
+    std::vector<Point> points(cage.mesh.points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].p = cage.mesh.points[i];
+    for (int level = 1; level <= levels; ++level) {
+        std::vector<Point> next(
+            static_cast<std::size_t>(refiner->GetLevel(level).GetNumVertices()));
+        primvars.Interpolate(level, points, next);
+        points = std::move(next);
+    }
+    std::vector<Point> limit(points.size());
+    primvars.Limit(points, limit);
+    std::vector<Vec3> out;
+    for (const Point& p : limit) out.push_back(p.p);
+    return out;
+}
+
+TEST(Subdivision, CubeLimitPositionsAreTheKnownOnes) {
+    const Solid cube = solidOf(boxSpec({-1, -1, -1}, {1, 1, 1}));
+    const ControlCage cage = smoothCage(cube, SubdivisionScheme::CatmullClark);
+    SubdivisionOptions options;
+    options.levels = 1;
+    const SurfaceMesh surface = surfaceOf(cage, options);
+    ASSERT_EQ(surface.positions.size(), 26U);
+    ASSERT_EQ(surface.triangles.size(), 48U);
+    const auto has = [&](const Vec3& p) {
+        return std::any_of(surface.positions.begin(), surface.positions.end(),
+                           [&](const Vec3& q) { return (p - q).norm() < 1e-12; });
+    };
+    // Halstead, Kass and DeRose 1993: (n^2 v + 4 sum of e + sum of f) / (n (n + 5)), n = 3.
+    const Vec3 v(1, 1, 1);
+    const Vec3 limit = (9.0 * v + 4.0 * (Vec3(-1, 1, 1) + Vec3(1, -1, 1) + Vec3(1, 1, -1)) +
+                        (Vec3(-1, -1, 1) + Vec3(1, -1, -1) + Vec3(-1, 1, -1))) /
+                       24.0;
+    EXPECT_NEAR(limit.x(), 0.5, 1e-15);
+    EXPECT_TRUE(has(limit));
+    EXPECT_TRUE(has(-limit));
+    // The refined middle of a face: four edge points and four face points around it, n = 4.
+    const double edge = 3.0 / 4.0;  // (1 + 1 + 2 face middles) / 4, by symmetry
+    EXPECT_TRUE(has(Vec3(0, 0, (16.0 + 16.0 * edge + 4.0 * 5.0 / 9.0) / 36.0)));
+}
+
+TEST(Subdivision, UniformEqualsRefinementAndLimitMasks) {
+    const Solid bosses = solidOf(bossesSpec(1));
+    const Solid pyramid = solidOf(pyramidSpec(5, 1.3));
+    struct Case {
+        ControlCage cage;
+        SubdivisionScheme scheme;
+    };
+    const auto cc = SubdivisionScheme::CatmullClark;
+    const auto loop = SubdivisionScheme::Loop;
+    for (const Case& c :
+         {Case{smoothCage(pyramid, cc), cc}, Case{smoothCage(pyramid, loop), loop},
+          Case{filletedCage(bosses, 0.2, cc), cc}, Case{filletedCage(bosses, 0.2, loop), loop},
+          Case{smoothCage(bosses, cc), cc}}) {
+        for (const int levels : {1, 3}) {
+            SubdivisionOptions options;
+            options.scheme = c.scheme;
+            options.levels = levels;
+            const SurfaceMesh surface = surfaceOf(c.cage, options);
+            const std::vector<Vec3> expected = refinedLimit(c.cage, c.scheme, levels);
+            ASSERT_EQ(surface.positions.size(), expected.size());
+            EXPECT_LT(setDistance(surface.positions, expected, 0.05), 1e-6) << levels;
+            EXPECT_TRUE(checkClosed(asMesh(surface)));
+        }
+    }
+}
+
+TEST(Subdivision, AdaptivePointsLieOnTheUniformOnesSurface) {
+    const Solid bosses = solidOf(bossesSpec(1));
+    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+        const ControlCage cage = filletedCage(bosses, 0.2, scheme);
+        SubdivisionOptions options;
+        options.scheme = scheme;
+        options.tolerance = 0.01;
+        const SurfaceMesh adaptive = surfaceOf(cage, options);
+        // Every corner of the cage is a point of both; refinement puts them first.
+        const std::vector<Vec3> refined = refinedLimit(cage, scheme, 1);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < cage.mesh.points.size(); ++i) {
+            double best = 1.0;
+            for (const Vec3& p : adaptive.positions) best = std::min(best, (p - refined[i]).norm());
+            worst = std::max(worst, best);
+        }
+        EXPECT_LT(worst, 1e-6);
+    }
+}
+
+/// Distance of a point from a triangle.
+double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 n = (b - a).cross(c - a).normalized();
+    const Vec3 q = p - n * n.dot(p - a);
+    const auto inside = [&](const Vec3& s, const Vec3& t) {
+        return (t - s).cross(q - s).dot(n) >= 0;
+    };
+    if (inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(n.dot(p - a));
+    const auto segment = [&](const Vec3& s, const Vec3& t) {
+        const double k = std::clamp((p - s).dot(t - s) / (t - s).squaredNorm(), 0.0, 1.0);
+        return (p - s - k * (t - s)).norm();
+    };
+    return std::min({segment(a, b), segment(b, c), segment(c, a)});
+}
+
+/// Largest distance from a dense set of limit points to the triangles.
+double deviation(const std::vector<Vec3>& dense, const SurfaceMesh& surface, double reach) {
+    std::map<std::array<long, 3>, std::vector<std::size_t>> grid;
+    const double cell = 4.0 * reach + 0.05;
+    const auto key = [&](double x) { return std::lround(x / cell); };
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        Vec3 low = surface.positions[static_cast<std::size_t>(surface.triangles[t][0])];
+        Vec3 high = low;
+        for (const int i : surface.triangles[t]) {
+            low = low.cwiseMin(surface.positions[static_cast<std::size_t>(i)]);
+            high = high.cwiseMax(surface.positions[static_cast<std::size_t>(i)]);
+        }
+        for (long x = key(low.x() - reach); x <= key(high.x() + reach); ++x) {
+            for (long y = key(low.y() - reach); y <= key(high.y() + reach); ++y) {
+                for (long z = key(low.z() - reach); z <= key(high.z() + reach); ++z) {
+                    grid[{x, y, z}].push_back(t);
+                }
+            }
+        }
+    }
+    double worst = 0.0;
+    for (const Vec3& p : dense) {
+        double best = reach;
+        const auto it = grid.find({key(p.x()), key(p.y()), key(p.z())});
+        if (it == grid.end()) return reach;
+        for (const std::size_t t : it->second) {
+            const auto at = [&](std::size_t k) -> const Vec3& {
+                return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
+            };
+            best = std::min(best, distanceTo(p, at(0), at(1), at(2)));
+        }
+        worst = std::max(worst, best);
+    }
+    return worst;
+}
+
+TEST(Subdivision, AdaptiveKeepsItsToleranceWithHalfTheTriangles) {
+    const Solid bosses = solidOf(bossesSpec(1));
+    const auto cc = SubdivisionScheme::CatmullClark;
+    const ControlCage cage = filletedCage(bosses, 0.2, cc);
+    const std::vector<Vec3> dense = refinedLimit(cage, cc, 4);
+    SubdivisionOptions options;
+    for (const double tolerance : {0.005, 0.001}) {
+        options.tolerance = tolerance;
+        const SurfaceMesh adaptive = surfaceOf(cage, options);
+        EXPECT_TRUE(checkClosed(asMesh(adaptive)));
+        const double reached = deviation(dense, adaptive, 2.0 * tolerance);
+        EXPECT_LE(reached, tolerance);
+        // The coarsest uniform surface that is as good.
+        SubdivisionOptions uniform;
+        for (uniform.levels = 1; uniform.levels < 4; ++uniform.levels) {
+            const SurfaceMesh even = surfaceOf(cage, uniform);
+            if (deviation(dense, even, 2.0 * tolerance) > reached) continue;
+            EXPECT_LE(2 * adaptive.triangles.size(), even.triangles.size()) << tolerance;
+            break;
+        }
+    }
+}
+
+TEST(Subdivision, AdaptiveLoopAndPolygonsKeepTheirTolerance) {
+    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+        for (const Solid& solid : {solidOf(pyramidSpec(5, 1.3)), solidOf(prismSpec(6, 1, 1, 1)),
+                                   solidOf(lPrismSpec())}) {
+            const ControlCage cage = smoothCage(solid, scheme);
+            const std::vector<Vec3> dense = refinedLimit(cage, scheme, 4);
+            SubdivisionOptions options;
+            options.scheme = scheme;
+            for (const double tolerance : {0.02, 0.004}) {
+                options.tolerance = tolerance;
+                const SurfaceMesh surface = surfaceOf(cage, options);
+                EXPECT_TRUE(checkClosed(asMesh(surface)));
+                EXPECT_LE(deviation(dense, surface, 2.0 * tolerance), tolerance);
+            }
+        }
+    }
+}
+
+TEST(Subdivision, FlatFacesStayFlatInsideTheirSupportLoop) {
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {4, 3, 2}));
+    const double setback = 0.4;
+    const auto nearCorner = [&](const Vec3& p) {
+        const double reach = 3.0 * setback;
+        return std::min(p.x(), 4 - p.x()) < reach && std::min(p.y(), 3 - p.y()) < reach;
+    };
+    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+        const ControlCage cage = filletedCage(box, setback, scheme);
+        SubdivisionOptions options;
+        options.scheme = scheme;
+        options.levels = 4;
+        const SurfaceMesh surface = surfaceOf(cage, options);
+        int onTop = 0;
+        for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+            const Vec3& p = surface.positions[i];
+            // Within the loop, a quarter of a setback inside the strip's side; its corners move in
+            // by less than half of that again.
+            const double edge = 1.25 * setback + (nearCorner(p) ? 0.12 * setback : 0.0) + 1e-9;
+            const bool inside =
+                p.x() > edge && p.x() < 4 - edge && p.y() > edge && p.y() < 3 - edge;
+            if (!inside || p.z() < 1.0) continue;
+            ++onTop;
+            EXPECT_NEAR(p.z(), 2.0, 1e-12);
+            EXPECT_NEAR(surface.normals[i].z(), 1.0, 1e-9);
+        }
+        EXPECT_GT(onTop, 50);
+    }
+}
+
+TEST(Subdivision, NormalsPointOutAndFollowTheTriangles) {
+    const Solid bosses = solidOf(bossesSpec(1));
+    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+        const ControlCage cage = filletedCage(bosses, 0.2, scheme);
+        SubdivisionOptions options;
+        options.scheme = scheme;
+        const SurfaceMesh surface = surfaceOf(cage, options);
+        EXPECT_TRUE(surface.normalTriangles.empty());
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+            const auto at = [&](std::size_t k) -> const Vec3& {
+                return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
+            };
+            const Vec3 n = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_NEAR(surface.normal(t, k).norm(), 1.0, 1e-9);
+                EXPECT_GT(surface.normal(t, k).dot(n), 0.7);
+            }
+        }
+    }
+}
+
+TEST(Subdivision, SharpEdgesStayAndHaveANormalOnEachSide) {
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
+    const ControlCage cage = controlOf(sharpCage(box));
+    EXPECT_EQ(cage.creases.size(), 12U);
+    SubdivisionOptions options;
+    options.levels = 2;
+    const SurfaceMesh surface = surfaceOf(cage, options);
+    EXPECT_NEAR(enclosedVolume(surface.positions, surface.triangles), 8.0, 1e-12);
+    ASSERT_EQ(surface.normalTriangles.size(), surface.triangles.size());
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(surface.normal(t, k).cwiseAbs().maxCoeff(), 1.0, 1e-9);
+        }
+    }
+    options.tolerance = 0.1;
+    const SurfaceMesh adaptive = surfaceOf(cage, options);
+    EXPECT_EQ(adaptive.triangles.size(), 12U);
+    EXPECT_NEAR(enclosedVolume(adaptive.positions, adaptive.triangles), 8.0, 1e-12);
+}
+
+TEST(Subdivision, SharpnessIsBetweenSmoothAndSharp) {
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
+    double before = 0.0;
+    for (const double sharpness : {0.0, 0.5, 1.0, 2.0, 4.0, kInfiniteSharpness}) {
+        ControlOptions control;
+        control.edgeSharpness.assign(12, sharpness);
+        const SurfaceMesh surface = surfaceOf(controlOf(sharpCage(box), control), {});
+        const double volume = enclosedVolume(surface.positions, surface.triangles);
+        EXPECT_GT(volume, before);
+        before = volume;
+    }
+    ControlOptions control;
+    control.edgeSharpness.assign(12, 0.0);
+    control.sharpCorners = true;
+    const SurfaceMesh surface = surfaceOf(controlOf(sharpCage(box), control), {});
+    for (const Vec3& corner : box.vertices()) {
+        EXPECT_TRUE(std::any_of(surface.positions.begin(), surface.positions.end(),
+                                [&](const Vec3& p) { return (p - corner).norm() < 1e-9; }));
+    }
+}
+
+TEST(Subdivision, SeveralShellsAreOneSurface) {
+    PolyhedronSpec spec = boxSpec({0, 0, 0}, {1, 1, 1});
+    const PolyhedronSpec other = boxSpec({3, 0, 0}, {4, 1, 1});
+    const int base = static_cast<int>(spec.vertices.size());
+    spec.vertices.insert(spec.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (auto face : other.faces) {
+        for (int& i : face) i += base;
+        spec.faces.push_back(face);
+    }
+    const Solid two = solidOf(spec);
+    const ControlCage cage = filletedCage(two, 0.1, SubdivisionScheme::CatmullClark);
+    const SurfaceMesh surface = surfaceOf(cage, {});
+    EXPECT_TRUE(checkClosed(asMesh(surface)));
+    const double volume = enclosedVolume(surface.positions, surface.triangles);
+    EXPECT_GT(volume, 1.9);
+    EXPECT_LT(volume, 2.0);
+}
+
+TEST(Subdivision, FacesWithHolesBecomeQuadrangles) {
+    const Solid bosses = solidOf(bossesSpec(2));
+    const ControlCage cage = filletedCage(bosses, 0.1, SubdivisionScheme::CatmullClark);
+    int quads = 0;
+    for (int f = 0; f < cage.mesh.faceCount(); ++f) {
+        EXPECT_EQ(cage.mesh.loopCount(f), 1);
+        if (cage.mesh.outline(f).size() == 4) ++quads;
+    }
+    EXPECT_GT(quads, 0.9 * cage.mesh.faceCount());
+}
+
+TEST(Subdivision, TooMuchMemoryIsRefusedBeforeItIsTaken) {
+    const Solid bosses = solidOf(bossesSpec(3));
+    const ControlCage cage = filletedCage(bosses, 0.1, SubdivisionScheme::CatmullClark);
+    SubdivisionOptions options;
+    options.levels = 6;
+    options.memoryLimit = 10'000'000;
+    auto surface = subdivide(cage, options);
+    ASSERT_FALSE(surface);
+    EXPECT_EQ(surface.error().code, Errc::TooMuchMemory);
+    EXPECT_EQ(errcName(Errc::TooMuchMemory), "too-much-memory");
+    options.tolerance = 1e-12;
+    options.memoryLimit = std::size_t{1} << 30U;
+    surface = subdivide(cage, options);
+    ASSERT_FALSE(surface);
+    EXPECT_EQ(surface.error().code, Errc::TooMuchMemory);
+    // What is promised holds: the result is not larger than the limit that it was allowed.
+    options.tolerance = 0.0;
+    options.levels = 3;
+    const SurfaceMesh fits = surfaceOf(cage, options);
+    EXPECT_LE(surfaceBytes(fits.positions.size(), fits.triangles.size(), false),
+              options.memoryLimit);
+}
+
+TEST(Subdivision, BadInputIsRefusedWithACode) {
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {1, 1, 1}));
+    const ControlCage cage = controlOf(sharpCage(box));
+    const auto code = [](const ControlCage& c, const SubdivisionOptions& o) {
+        const auto surface = subdivide(c, o);
+        return surface ? Errc::Cancelled : surface.error().code;
+    };
+    SubdivisionOptions options;
+    options.levels = 7;
+    EXPECT_EQ(code(cage, options), Errc::BadValue);
+    options.levels = -1;
+    EXPECT_EQ(code(cage, options), Errc::BadValue);
+    options.levels = 1;
+    options.tolerance = -1.0;
+    EXPECT_EQ(code(cage, options), Errc::BadValue);
+    options.tolerance = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(code(cage, options), Errc::BadValue);
+    options.tolerance = 0.0;
+    options.scheme = SubdivisionScheme::Loop;
+    EXPECT_EQ(code(cage, options), Errc::BadValue);
+    ControlCage bad = cage;
+    bad.mesh.points[0].x() = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(code(bad, {}), Errc::BadValue);
+    ControlCage open = cage;
+    open.mesh.faceStart.pop_back();
+    open.mesh.loopStart.pop_back();
+    open.mesh.corners.resize(static_cast<std::size_t>(open.mesh.loopStart.back()));
+    EXPECT_EQ(code(open, {}), Errc::NotClosed);
+    EXPECT_EQ(code({}, {}), Errc::NoSolid);
+    ControlOptions control;
+    control.edgeSharpness.assign(3, 1.0);
+    EXPECT_FALSE(controlCage(sharpCage(box), control));
+    control.edgeSharpness.assign(12, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(controlCage(sharpCage(box), control));
+    control.edgeSharpness.clear();
+    control.supportRatio = 1.5;
+    EXPECT_FALSE(controlCage(sharpCage(box), control));
+}
+
+TEST(Subdivision, RandomCagesStayClosed) {
+    for (std::uint64_t number = 0; number < 60; ++number) {
+        const Solid solid = randomSolid(number);
+        const double size = (solid.bounds()[1] - solid.bounds()[0]).norm();
+        Random random(Random::mix(number, 9));
+        FilletOptions options = allEdges(solid, 0.04 * size, 1 + random.index(3));
+        std::erase_if(options.edges, [&](const FilletChoice&) { return random.chance(0.3); });
+        if (options.edges.empty()) continue;
+        const auto cage = fillet(solid, options);
+        ASSERT_TRUE(cage);
+        for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+            ControlOptions control;
+            control.scheme = scheme;
+            const ControlCage polygons = controlOf(*cage, control);
+            SubdivisionOptions subdivision;
+            subdivision.scheme = scheme;
+            subdivision.levels = random.index(3);
+            const SurfaceMesh uniform = surfaceOf(polygons, subdivision);
+            EXPECT_TRUE(checkClosed(asMesh(uniform))) << number;
+            subdivision.tolerance = 0.003 * size;
+            const SurfaceMesh adaptive = surfaceOf(polygons, subdivision);
+            EXPECT_TRUE(checkClosed(asMesh(adaptive))) << number;
+            for (const Vec3& n : adaptive.normals) EXPECT_NEAR(n.norm(), 1.0, 1e-6) << number;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ew::test
