@@ -202,10 +202,29 @@ TEST(ExactTool, CornersOnAnEdgeAndUprightsAlongTheNormal) {
     for (int v = 0; v < 4; ++v) {
         spec.edges.push_back({{v, v + 4}, ToolEdgeRule::Kind::AlongNormal, top});
     }
+    // The turned box's faces are perpendicular to rounding only, so uprights along the normal miss
+    // its front by less than a hair: that is told, not glued.
+    const auto hair = combine(target, need(makeTool(target, spec)), BooleanKind::Add);
+    ASSERT_FALSE(hair);
+    EXPECT_EQ(hair.error().code, Errc::Sliver);
+
+    // Asked to lie in the front it does, exactly.
+    spec.edges.clear();
+    for (std::size_t f = 0; f < spec.shape.faces.size(); ++f) {
+        const auto& loop = spec.shape.faces[f];
+        const auto has = [&](int v) {
+            return std::find(loop.begin(), loop.end(), v) != loop.end();
+        };
+        if (has(0) && has(1) && has(4)) {
+            spec.faces.push_back({static_cast<int>(f), ToolFaceRule::Kind::InFace,
+                                  faceTowards(target, -Vec3::UnitY())});
+        }
+    }
+    ASSERT_EQ(spec.faces.size(), 2u);
     const auto out = combine(target, need(makeTool(target, spec)), BooleanKind::Add);
     ASSERT_TRUE(out) << out.error().message;
     EXPECT_EQ(out->solid.shellCount(), 1);
-    EXPECT_NEAR(out->solid.volume(), 25000.0, 1e-5);
+    EXPECT_NEAR(out->solid.volume(), 25000.0, 1e-3);
 }
 
 TEST(ExactTool, ContradictionsAreNamed) {
