@@ -66,9 +66,9 @@ inline constexpr unsigned kMaxExactBits = 8192;
 /// Plane coefficients up to this length are left alone [bits]: fitted ones (kPlaneGrid) have about
 /// 100 with their offsets, and three such planes meet in points of about 500.
 inline constexpr unsigned kLightBits = 128;
-// Rounded geometry before exact arithmetic: the doubles decide where they are farther from zero than
-// this, else rational numbers do. Each bounds the error of its formula, counting 2^-52 for every
-// rounded input and operation, with a margin of 8 or more; relative to the formula's terms.
+// Rounded geometry before exact arithmetic: the doubles decide where they are farther from zero
+// than this, else rational numbers do. Each bounds the error of its formula, counting 2^-52 for
+// every rounded input and operation, with a margin of 8 or more; relative to the formula's terms.
 
 /// Height over a plane (a sum of four terms).
 inline constexpr double kSideError = 0x1p-48;
@@ -313,8 +313,8 @@ inline constexpr double kTemplateFreedomCost = 0.1;
 /// a model edge that it takes in, and of a direction that is none of the model's.
 inline constexpr double kModelEdgeCost = 0.5;
 inline constexpr double kStrangeDirectionCost = 6.0;
-/// Where the two derivatives of a surface are parallel within this sine it has no normal of its own:
-/// a corner of a face that lies straight on a crease.
+/// Where the two derivatives of a surface are parallel within this sine it has no normal of its
+/// own: a corner of a face that lies straight on a crease.
 inline constexpr double kNoNormalSine = 1e-9;
 
 }  // namespace ew::tol

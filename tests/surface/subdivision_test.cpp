@@ -12,48 +12,12 @@
 #include <map>
 
 #include "tests/surface/set_distance.h"
-#include "tests/surface/shapes.h"
+#include "tests/surface/surface_fixture.h"
 
 namespace ew::test {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-
-ControlCage controlOf(const FilletedCage& cage, const ControlOptions& options = {}) {
-    auto control = controlCage(cage, options);
-    EXPECT_TRUE(control) << control.error().message;
-    EXPECT_TRUE(checkClosed(control->mesh));
-    return *control;
-}
-
-ControlCage smoothCage(const Solid& solid, SubdivisionScheme scheme) {
-    ControlOptions options;
-    options.scheme = scheme;
-    options.edgeSharpness.assign(solid.edges().size(), 0.0);
-    return controlOf(sharpCage(solid), options);
-}
-
-ControlCage filletedCage(const Solid& solid, double setback, SubdivisionScheme scheme) {
-    auto cage = fillet(solid, allEdges(solid, setback, 2));
-    EXPECT_TRUE(cage);
-    ControlOptions options;
-    options.scheme = scheme;
-    return controlOf(*cage, options);
-}
-
-SurfaceMesh surfaceOf(const ControlCage& cage, const SubdivisionOptions& options) {
-    auto surface = subdivide(cage, options);
-    EXPECT_TRUE(surface) << surface.error().message;
-    EXPECT_EQ(surface->origin.size(), surface->triangles.size());
-    return *surface;
-}
-
-PolyMesh asMesh(const SurfaceMesh& surface) {
-    PolyMesh mesh;
-    mesh.points = surface.positions;
-    for (const auto& t : surface.triangles) mesh.addFace({t[0], t[1], t[2]});
-    return mesh;
-}
 
 struct Point {
     Vec3 p = Vec3::Zero();
@@ -269,36 +233,6 @@ TEST(Subdivision, AdaptiveLoopAndPolygonsKeepTheirTolerance) {
     }
 }
 
-TEST(Subdivision, FlatFacesStayFlatInsideTheirSupportLoop) {
-    const Solid box = solidOf(boxSpec({0, 0, 0}, {4, 3, 2}));
-    const double setback = 0.4;
-    const auto nearCorner = [&](const Vec3& p) {
-        const double reach = 3.0 * setback;
-        return std::min(p.x(), 4 - p.x()) < reach && std::min(p.y(), 3 - p.y()) < reach;
-    };
-    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
-        const ControlCage cage = filletedCage(box, setback, scheme);
-        SubdivisionOptions options;
-        options.scheme = scheme;
-        options.levels = 4;
-        const SurfaceMesh surface = surfaceOf(cage, options);
-        int onTop = 0;
-        for (std::size_t i = 0; i < surface.positions.size(); ++i) {
-            const Vec3& p = surface.positions[i];
-            // Within the loop, a quarter of a setback inside the strip's side; its corners move in
-            // by less than half of that again.
-            const double edge = 1.25 * setback + (nearCorner(p) ? 0.12 * setback : 0.0) + 1e-9;
-            const bool inside =
-                p.x() > edge && p.x() < 4 - edge && p.y() > edge && p.y() < 3 - edge;
-            if (!inside || p.z() < 1.0) continue;
-            ++onTop;
-            EXPECT_NEAR(p.z(), 2.0, 1e-12);
-            EXPECT_NEAR(surface.normals[i].z(), 1.0, 1e-9);
-        }
-        EXPECT_GT(onTop, 50);
-    }
-}
-
 TEST(Subdivision, NormalsPointOutAndFollowTheTriangles) {
     const Solid bosses = solidOf(bossesSpec(1));
     for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
@@ -320,47 +254,6 @@ TEST(Subdivision, NormalsPointOutAndFollowTheTriangles) {
     }
 }
 
-TEST(Subdivision, SharpEdgesStayAndHaveANormalOnEachSide) {
-    const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
-    const ControlCage cage = controlOf(sharpCage(box));
-    EXPECT_EQ(cage.creases.size(), 12U);
-    SubdivisionOptions options;
-    options.levels = 2;
-    const SurfaceMesh surface = surfaceOf(cage, options);
-    EXPECT_NEAR(enclosedVolume(surface.positions, surface.triangles), 8.0, 1e-12);
-    ASSERT_EQ(surface.normalTriangles.size(), surface.triangles.size());
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            EXPECT_NEAR(surface.normal(t, k).cwiseAbs().maxCoeff(), 1.0, 1e-9);
-        }
-    }
-    options.tolerance = 0.1;
-    const SurfaceMesh adaptive = surfaceOf(cage, options);
-    EXPECT_EQ(adaptive.triangles.size(), 12U);
-    EXPECT_NEAR(enclosedVolume(adaptive.positions, adaptive.triangles), 8.0, 1e-12);
-}
-
-TEST(Subdivision, SharpnessIsBetweenSmoothAndSharp) {
-    const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
-    double before = 0.0;
-    for (const double sharpness : {0.0, 0.5, 1.0, 2.0, 4.0, kInfiniteSharpness}) {
-        ControlOptions control;
-        control.edgeSharpness.assign(12, sharpness);
-        const SurfaceMesh surface = surfaceOf(controlOf(sharpCage(box), control), {});
-        const double volume = enclosedVolume(surface.positions, surface.triangles);
-        EXPECT_GT(volume, before);
-        before = volume;
-    }
-    ControlOptions control;
-    control.edgeSharpness.assign(12, 0.0);
-    control.sharpCorners = true;
-    const SurfaceMesh surface = surfaceOf(controlOf(sharpCage(box), control), {});
-    for (const Vec3& corner : box.vertices()) {
-        EXPECT_TRUE(std::any_of(surface.positions.begin(), surface.positions.end(),
-                                [&](const Vec3& p) { return (p - corner).norm() < 1e-9; }));
-    }
-}
-
 TEST(Subdivision, SeveralShellsAreOneSurface) {
     PolyhedronSpec spec = boxSpec({0, 0, 0}, {1, 1, 1});
     const PolyhedronSpec other = boxSpec({3, 0, 0}, {4, 1, 1});
@@ -377,17 +270,6 @@ TEST(Subdivision, SeveralShellsAreOneSurface) {
     const double volume = enclosedVolume(surface.positions, surface.triangles);
     EXPECT_GT(volume, 1.9);
     EXPECT_LT(volume, 2.0);
-}
-
-TEST(Subdivision, FacesWithHolesBecomeQuadrangles) {
-    const Solid bosses = solidOf(bossesSpec(2));
-    const ControlCage cage = filletedCage(bosses, 0.1, SubdivisionScheme::CatmullClark);
-    int quads = 0;
-    for (int f = 0; f < cage.mesh.faceCount(); ++f) {
-        EXPECT_EQ(cage.mesh.loopCount(f), 1);
-        if (cage.mesh.outline(f).size() == 4) ++quads;
-    }
-    EXPECT_GT(quads, 0.9 * cage.mesh.faceCount());
 }
 
 TEST(Subdivision, TooMuchMemoryIsRefusedBeforeItIsTaken) {
