@@ -59,7 +59,7 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
     EXPECT_NEAR(d->state().bodies[0].solid.volume(), 192000, 1);
     const Solid box = d->state().bodies[0].solid;
 
-    draw(*d, linesOnPlane(caseNamed("edge notch by its outline"), d->camera()));
+    draw(*d, linesOnPlane(caseNamed("edge notch by its outline")));
     const auto cut = d->apply();
     ASSERT_TRUE(cut) << cut.error().message;
     EXPECT_EQ(d->undoStack().undoText(), QStringLiteral("Cut cube"));
@@ -74,7 +74,7 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
     ASSERT_TRUE(d->redo());
     EXPECT_TRUE(d->state().bodies[0].solid.identicalTo(notched));
 
-    draw(*d, linesOnPlane(caseNamed("box on a side face"), d->camera()));
+    draw(*d, linesOnPlane(caseNamed("box on a side face")));
     ASSERT_TRUE(d->apply(asking(Operation::Add)));
     EXPECT_EQ(d->undoStack().undoText(), QStringLiteral("Add cube"));
     EXPECT_NEAR(d->state().bodies[0].solid.volume(), 183000 + 25 * 30 * 20, 1);
@@ -83,7 +83,7 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
 TEST(DocumentModification, AnImpossibleOperationLeavesSolidAndInk) {
     const auto d = withBox();
     const auto state = &d->state();
-    draw(*d, linesOnPlane(caseNamed("corner cut by a triangle"), d->camera()));
+    draw(*d, linesOnPlane(caseNamed("corner cut by a triangle")));
     const auto added = d->apply(asking(Operation::Add));
     ASSERT_FALSE(added);
     EXPECT_FALSE(added.error().message.empty());
@@ -95,7 +95,7 @@ TEST(DocumentModification, AnImpossibleOperationLeavesSolidAndInk) {
 TEST(DocumentModification, TheRecordedScriptReplaysToTheSameSolid) {
     const auto d = withBox();
     for (const char* name : {"edge notch by its outline", "box on a side face"}) {
-        draw(*d, linesOnPlane(caseNamed(name), d->camera()));
+        draw(*d, linesOnPlane(caseNamed(name)));
         ASSERT_TRUE(d->apply()) << name;
     }
     Document again(library());

@@ -48,7 +48,7 @@ TEST(Modification, ExactStrokesOnABoxGiveTheExactSolid) {
     for (const Pose& pose : {Pose{}, turned(0.7, Vec3(1, 2, 3))}) {
         for (const ModificationCase& c : boxModifications(pose)) {
             const InterpretOptions o = optionsFor(c.target, pose);
-            expectRight(c, interpret(exactStrokes(linesOnPlane(c, o.camera)), library(), o));
+            expectRight(c, interpret(exactStrokes(linesOnPlane(c)), library(), o));
         }
     }
 }
@@ -61,7 +61,7 @@ TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {
             continue;
         }
         const InterpretOptions o = optionsFor(c.target, {});
-        std::vector<Stroke> strokes = exactStrokes(linesOnPlane(c, o.camera));
+        std::vector<Stroke> strokes = exactStrokes(linesOnPlane(c));
         random.shuffle(strokes);
         for (std::size_t i = 0; i < strokes.size(); i += 2) {
             std::reverse(strokes[i].samples.begin(), strokes[i].samples.end());
@@ -78,7 +78,7 @@ TEST(Modification, AskedForTheOtherOperationItDoesNotObeyBlindly) {
         if (c.name != "corner cut by a triangle" && c.name != "box inside a face") continue;
         InterpretOptions o = optionsFor(c.target, {});
         o.operation = c.operation == Operation::Add ? Operation::Cut : Operation::Add;
-        const auto strokes = exactStrokes(linesOnPlane(c, o.camera));
+        const auto strokes = exactStrokes(linesOnPlane(c));
         for (const Candidate& k : interpret(strokes, library(), o).candidates) {
             EXPECT_EQ(k.operation, o.operation) << c.name;
         }
@@ -116,7 +116,7 @@ TEST(Modification, ExtractedEdgesAreToldFromStrokes) {
     for (const ModificationCase& c : boxModifications()) {
         if (c.name != "corner notch by its outline") continue;
         const InterpretOptions o = optionsFor(c.target, {});
-        const Interpretation r = interpret(exactStrokes(linesOnPlane(c, o.camera)), library(), o);
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
         const auto extracted =
             std::count_if(r.graph.edges.begin(), r.graph.edges.end(),
                           [](const GraphEdge& e) { return e.origin == EdgeOrigin::Model; });
@@ -131,7 +131,7 @@ TEST(Modification, AShakyHandsNotchSnapsToTheBoxesDirections) {
         if (c.name != "edge notch by its outline" && c.name != "box over the whole face") continue;
         const InterpretOptions o = optionsFor(c.target, {});
         const Interpretation r =
-            interpret(drawByHand(linesOnPlane(c, o.camera), kLightHand, random), library(), o);
+            interpret(drawByHand(linesOnPlane(c), kLightHand, random), library(), o);
         ASSERT_TRUE(r.accepted) << c.name;
         const Candidate& best = r.candidates[static_cast<std::size_t>(*r.accepted)];
         ASSERT_TRUE(best.result);

@@ -2,140 +2,16 @@
 #include "tests/support/modification_cases.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <numbers>
 
-#include "core/solid/boolean.h"
-#include "core/solid/visibility.h"
+#include "tests/support/case_list.h"
 
 namespace ew::test {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-using Lines = std::vector<std::array<Vec3, 2>>;
-
-Solid solidOf(const PolyhedronSpec& spec) {
-    auto solid = Solid::fromSpec(spec);
-    if (!solid) throw std::runtime_error(solid.error().message);
-    return *solid;
-}
-
-PolyhedronSpec boxSpec(const Vec3& a, const Vec3& b) {
-    PolyhedronSpec s;
-    for (const double z : {a.z(), b.z()}) {
-        s.vertices.emplace_back(a.x(), a.y(), z);
-        s.vertices.emplace_back(b.x(), a.y(), z);
-        s.vertices.emplace_back(b.x(), b.y(), z);
-        s.vertices.emplace_back(a.x(), b.y(), z);
-    }
-    s.faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-    return s;
-}
-
-/// A prism over a triangle, counter-clockwise seen against `along`.
-PolyhedronSpec prismSpec(const std::array<Vec3, 3>& t, const Vec3& along) {
-    PolyhedronSpec s;
-    for (const Vec3& p : t) s.vertices.push_back(p);
-    for (const Vec3& p : t) s.vertices.emplace_back(p + along);
-    s.faces = {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-    if ((t[1] - t[0]).cross(t[2] - t[0]).dot(along) < 0) {
-        for (auto& f : s.faces) std::reverse(f.begin(), f.end());
-    }
-    return s;
-}
-
-PolyhedronSpec pyramidSpec(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex) {
-    PolyhedronSpec s;
-    s.vertices = {a, b, c, apex};
-    s.faces = {{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    if ((b - a).cross(c - a).dot(apex - a) < 0) {
-        for (auto& f : s.faces) std::reverse(f.begin(), f.end());
-    }
-    return s;
-}
-
-/// The parts of a segment that lie on no edge of the solid.
-Lines withoutEdges(const std::array<Vec3, 2>& line, const Solid& solid) {
-    const Vec3 u = line[1] - line[0];
-    const double len = u.norm();
-    std::vector<std::array<double, 2>> left{{0.0, len}};
-    for (const SolidEdge& e : solid.edges()) {
-        const Vec3& a = solid.vertices()[at(e.ends[0])];
-        const Vec3& b = solid.vertices()[at(e.ends[1])];
-        if (u.cross(a - line[0]).norm() > 1e-6 * len || u.cross(b - line[0]).norm() > 1e-6 * len) {
-            continue;
-        }
-        const double ta = (a - line[0]).dot(u) / len;
-        const double tb = (b - line[0]).dot(u) / len;
-        std::vector<std::array<double, 2>> next;
-        for (const auto& l : left) {
-            const double lo = std::min(ta, tb);
-            const double hi = std::max(ta, tb);
-            if (std::min(l[1], lo) > l[0]) next.push_back({l[0], std::min(l[1], lo)});
-            if (l[1] > std::max(l[0], hi)) next.push_back({std::max(l[0], hi), l[1]});
-        }
-        left = std::move(next);
-    }
-    Lines lines;
-    for (const auto& l : left) {
-        if (l[1] - l[0] < 1e-6) continue;
-        lines.push_back({line[0] + l[0] / len * u, line[0] + l[1] / len * u});
-    }
-    return lines;
-}
-
-/// What is new in the result and can be seen.
-Lines newVisibleLines(const Body& target, const Solid& result, const OrthographicCamera& camera) {
-    const auto view = SolidView::make(result, target.pose, camera);
-    Lines lines;
-    for (const VisiblePiece& p : view->visiblePieces()) {
-        if (p.point) continue;
-        const auto& ends = result.edges()[at(p.edge)].ends;
-        const Vec3& a = result.vertices()[at(ends[0])];
-        const Vec3& b = result.vertices()[at(ends[1])];
-        for (const auto& l : withoutEdges({a + p.t0 * (b - a), a + p.t1 * (b - a)}, target.solid)) {
-            // Nobody draws a line as short as its corners are wide.
-            if ((l[1] - l[0]).norm() > 2.5) lines.push_back(l);
-        }
-    }
-    return lines;
-}
-
-class Cases {
-  public:
-    explicit Cases(const Pose& pose)
-        : target_{solidOf(boxSpec(Vec3::Zero(), Vec3(80, 60, 40))), pose},
-          camera_(defaultBoxCamera(pose)) {}
-
-    /// Lines empty: those that are new and visible.
-    void add(const std::string& name, Operation op, const std::string& tmpl,
-             const PolyhedronSpec& tool, Lines lines = {}) {
-        ModificationCase c{name, target_, op, tmpl, std::move(lines)};
-        const auto result = combine(target_.solid, solidOf(tool),
-                                    op == Operation::Add ? BooleanKind::Add : BooleanKind::Cut);
-        if (!result) throw std::runtime_error(name + ": " + result.error().message);
-        if (c.lines.empty()) c.lines = newVisibleLines(target_, result->solid, camera_);
-        c.volume = result->solid.volume();
-        c.vertices = static_cast<int>(result->solid.vertices().size());
-        c.edges = static_cast<int>(result->solid.edges().size());
-        c.faces = static_cast<int>(result->solid.faces().size());
-        all_.push_back(std::move(c));
-    }
-    std::vector<ModificationCase> take() { return std::move(all_); }
-
-  private:
-    Body target_;
-    OrthographicCamera camera_;
-    std::vector<ModificationCase> all_;
-};
-
-Lines polyline(const std::vector<Vec3>& p) {
-    Lines lines;
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) lines.push_back({p[i], p[i + 1]});
-    return lines;
-}
-
-void addCuts(Cases& cases) {
+void addCuts(CaseList& cases) {
     const auto cut = Operation::Cut;
     using V = Vec3;
     cases.add("corner cut by a triangle", cut, "triangular-pyramid",
@@ -144,26 +20,28 @@ void addCuts(Cases& cases) {
     cases.add("corner notch by its outline", cut, "cube", boxSpec(V(50, 0, 20), V(80, 25, 40)),
               polyline({V(50, 0, 40), V(50, 25, 40), V(80, 25, 40), V(80, 25, 20), V(80, 0, 20),
                         V(50, 0, 20), V(50, 0, 40)}));
-    Lines notch = polyline({V(20, 0, 40), V(20, 20, 40), V(50, 20, 40), V(50, 0, 40)});
-    for (const auto& l : polyline({V(20, 0, 40), V(20, 0, 25), V(50, 0, 25), V(50, 0, 40)})) {
-        notch.push_back(l);
-    }
+    Lines3 notch = polyline({V(20, 0, 40), V(20, 20, 40), V(50, 20, 40), V(50, 0, 40)});
+    notch = joined(notch, polyline({V(20, 0, 40), V(20, 0, 25), V(50, 0, 25), V(50, 0, 40)}));
     cases.add("edge notch by its outline", cut, "cube", boxSpec(V(20, 0, 25), V(50, 20, 40)),
               notch);
     cases.add("edge notch with its inside", cut, "cube", boxSpec(V(20, 0, 25), V(50, 20, 40)));
-    Lines rabbet =
+    Lines3 rabbet =
         polyline({V(0, 0, 25), V(80, 0, 25), V(80, 20, 25), V(80, 20, 40), V(0, 20, 40)});
     cases.add("rabbet by its outline", cut, "cube", boxSpec(V(0, 0, 25), V(80, 20, 40)), rabbet);
     cases.add("rabbet with its inside", cut, "cube", boxSpec(V(0, 0, 25), V(80, 20, 40)));
     cases.add("chamfer of a whole edge", cut, "triangular-prism",
               prismSpec({V(0, 0, 40), V(0, 20, 40), V(0, 0, 25)}, V(80, 0, 0)));
-    Lines groove =
+    cases.add("chamfer of part of an edge", cut, "triangular-prism",
+              prismSpec({V(20, 0, 40), V(20, 20, 40), V(20, 0, 20)}, V(40, 0, 0)));
+    cases.add("chamfer that ends in the next edge", cut, "triangular-prism",
+              prismSpec({V(0, 0, 40), V(0, 25, 40), V(0, 0, 0)}, V(80, 0, 0)));
+    Lines3 groove =
         polyline({V(30, 60, 40), V(30, 0, 40), V(40, 0, 25), V(50, 0, 40), V(50, 60, 40)});
     cases.add("V groove by its outline", cut, "triangular-prism",
               prismSpec({V(30, 0, 40), V(50, 0, 40), V(40, 0, 25)}, V(0, 60, 0)), groove);
     cases.add("V groove with its inside", cut, "triangular-prism",
               prismSpec({V(30, 0, 40), V(50, 0, 40), V(40, 0, 25)}, V(0, 60, 0)));
-    Lines slot = polyline(
+    Lines3 slot = polyline(
         {V(30, 60, 40), V(30, 0, 40), V(30, 0, 25), V(50, 0, 25), V(50, 0, 40), V(50, 60, 40)});
     cases.add("square slot by its outline", cut, "cube", boxSpec(V(30, 0, 25), V(50, 60, 40)),
               slot);
@@ -174,7 +52,7 @@ void addCuts(Cases& cases) {
     cases.add("through hole", cut, "cube", boxSpec(V(15, 10, 0), V(70, 52, 40)));
 }
 
-void addAdds(Cases& cases) {
+void addAdds(CaseList& cases) {
     const auto add = Operation::Add;
     using V = Vec3;
     cases.add("box inside a face", add, "cube", boxSpec(V(20, 15, 40), V(55, 45, 60)));
@@ -194,29 +72,74 @@ void addAdds(Cases& cases) {
                           V(40, 12 + 20 / std::sqrt(3.0), 40 + 40 * std::sqrt(2.0 / 3.0))));
 }
 
+constexpr BooleanKind kAdd = BooleanKind::Add;
+constexpr BooleanKind kCut = BooleanKind::Cut;
+
+/// Ten changes that leave alone what the cases on the box draw on.
+Solid workedBox() {
+    using V = Vec3;
+    return changed(
+        solidOf(boxSpec(V(0, 0, 0), V(80, 60, 40))),
+        {{kCut, boxSpec(V(0, 50, 30), V(10, 60, 40))},
+         {kCut, boxSpec(V(74, 46, 4), V(80, 55, 13))},
+         {kAdd, boxSpec(V(-12, 15, 5), V(0, 40, 25))},
+         {kCut, boxSpec(V(-12, 20, 15), V(-6, 30, 25))},
+         {kCut, boxSpec(V(20, 54, 8), V(46, 60, 22))},
+         {kCut, prismSpec({V(0, 60, 0), V(0, 50, 0), V(0, 60, 5)}, V(80, 0, 0))},
+         {kCut, boxSpec(V(4, 5, 0), V(12, 45, 4))},
+         {kAdd, boxSpec(V(55, 60, 10), V(70, 66, 30))},
+         {kAdd, pyramidSpec(V(-12, 18, 8), V(-12, 36, 8), V(-12, 27, 14), V(-20, 27, 10))},
+         {kCut, boxSpec(V(58, 62, 20), V(66, 66, 30))}});
+}
+
 }  // namespace
 
-OrthographicCamera defaultBoxCamera(const Pose& pose) {
+bool ModificationCase::legible() const {
+    const auto drawn = linesOnPlane(*this);
+    return std::all_of(drawn.begin(), drawn.end(), [](const Line2& l) {
+        return (l[1] - l[0]).norm() >= 2.0 * Thresholds{}.distancePx;
+    });
+}
+
+OrthographicCamera modificationCamera(int view, const Vec3& center, const Pose& pose) {
+    // Azimuth of the eye from the x axis towards -y, and tilt [degrees].
+    static constexpr std::array<std::array<double, 2>, kModificationViews> kViews{
+        {{44.06, 31.07}, {32, 30}, {57, 33}, {45, 43}, {38, 24}}};
+    const double azimuth = kViews[static_cast<std::size_t>(view)][0] * std::numbers::pi / 180.0;
+    const double tilt = kViews[static_cast<std::size_t>(view)][1] * std::numbers::pi / 180.0;
     OrthographicCamera camera;
-    camera.direction = pose.directionToWorld(Vec3(-0.62, 0.6, -0.52).normalized());
+    camera.direction = pose.directionToWorld(Vec3(
+        -std::cos(azimuth) * std::cos(tilt), std::sin(azimuth) * std::cos(tilt), -std::sin(tilt)));
     camera.up = pose.directionToWorld(Vec3::UnitZ());
-    camera.center = pose.toWorld(Vec3(40, 30, 20));
+    camera.center = pose.toWorld(center);
     camera.worldPerPixel = 0.25;
     return camera;
 }
 
-std::vector<ModificationCase> boxModifications(const Pose& pose) {
-    Cases cases(pose);
+OrthographicCamera defaultBoxCamera(const Pose& pose) {
+    return modificationCamera(0, Vec3(40, 30, 20), pose);
+}
+
+std::vector<ModificationCase> boxModifications(const Pose& pose, int view) {
+    CaseList cases("box", solidOf(boxSpec(Vec3::Zero(), Vec3(80, 60, 40))), Vec3(40, 30, 20), view,
+                   pose);
     addCuts(cases);
     addAdds(cases);
     return cases.take();
 }
 
-std::vector<Line2> linesOnPlane(const ModificationCase& c, const OrthographicCamera& camera) {
+std::vector<ModificationCase> workedBoxModifications(int view) {
+    CaseList cases("worked box", workedBox(), Vec3(40, 30, 20), view);
+    addCuts(cases);
+    addAdds(cases);
+    return cases.take();
+}
+
+std::vector<Line2> linesOnPlane(const ModificationCase& c) {
     std::vector<Line2> lines;
     for (const auto& l : c.lines) {
-        lines.push_back({camera.project(c.target.pose.toWorld(l[0])),
-                         camera.project(c.target.pose.toWorld(l[1]))});
+        lines.push_back({c.camera.project(c.target.pose.toWorld(l[0])),
+                         c.camera.project(c.target.pose.toWorld(l[1]))});
     }
     return lines;
 }

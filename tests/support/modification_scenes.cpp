@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases on other targets than the box.
+#include <cmath>
+
+#include "tests/support/case_list.h"
+
+namespace ew::test {
+namespace {
+
+constexpr auto add = Operation::Add;
+constexpr auto cut = Operation::Cut;
+using V = Vec3;
+
+/// On the slope: along x, up the slope, out of it. Multiples of 5 give whole numbers.
+Vec3 onSlope(double x, double up, double out = 0.0) {
+    return {x, 0.8 * up - 0.6 * out, 0.6 * up + 0.8 * out};
+}
+PolyhedronSpec slopeBox(double x0, double x1, double up0, double up1, double out) {
+    return prismSpec({onSlope(x0, up0), onSlope(x1, up0), onSlope(x1, up1), onSlope(x0, up1)},
+                     onSlope(0, 0, out));
+}
+
+void addWallCases(std::vector<ModificationCase>& all, int view) {
+    const Solid target = changed(solidOf(boxSpec(V(0, 0, 0), V(80, 60, 20))),
+                                 {{BooleanKind::Add, boxSpec(V(0, 40, 20), V(80, 60, 55))}});
+    CaseList cases("wall", target, V(40, 30, 28), view);
+    cases.add("ramp against the wall", add, "triangular-prism",
+              prismSpec({V(25, 10, 20), V(25, 40, 20), V(25, 40, 45)}, V(30, 0, 0)));
+    cases.add("ramp over the whole width", add, "triangular-prism",
+              prismSpec({V(0, 0, 20), V(0, 40, 20), V(0, 40, 45)}, V(80, 0, 0)));
+    cases.add("box against the wall", add, "cube", boxSpec(V(20, 15, 20), V(50, 40, 40)));
+    cases.add("box on the wall", add, "cube", boxSpec(V(20, 20, 30), V(55, 40, 45)));
+    cases.add("box that makes the step higher", add, "cube", boxSpec(V(0, 0, 20), V(80, 40, 35)));
+    cases.add("pocket at the foot of the wall", cut, "cube", boxSpec(V(20, 15, 5), V(60, 40, 20)));
+    for (ModificationCase& c : cases.take()) all.push_back(std::move(c));
+}
+
+void addBossCases(std::vector<ModificationCase>& all, int view) {
+    const Solid target = changed(solidOf(boxSpec(V(0, 0, 0), V(100, 60, 15))),
+                                 {{BooleanKind::Add, boxSpec(V(10, 15, 15), V(35, 45, 35))},
+                                  {BooleanKind::Add, boxSpec(V(65, 15, 15), V(90, 45, 35))}});
+    CaseList cases("two bosses", target, V(50, 30, 15), view);
+    cases.add("bridge on the bosses", add, "cube", boxSpec(V(10, 15, 35), V(90, 45, 48)));
+    cases.add("bridge between the bosses", add, "cube", boxSpec(V(35, 15, 15), V(65, 45, 35)));
+    cases.add("roof on one boss", add, "triangular-prism",
+              prismSpec({V(65, 15, 35), V(90, 15, 35), V(77.5, 15, 52)}, V(0, 30, 0)));
+    for (ModificationCase& c : cases.take()) all.push_back(std::move(c));
+}
+
+void addCrackCases(std::vector<ModificationCase>& all, int view) {
+    const PolyhedronSpec box = boxSpec(V(0, 0, 0), V(80, 60, 40));
+    const auto slotLines = [](double bottom) {
+        return joined(
+            joined(polyline({V(0, 20, 40), V(80, 20, 40)}),
+                   polyline({V(80, 40, 40), V(0, 40, 40)})),
+            polyline({V(80, 20, 40), V(80, 20, bottom), V(80, 40, bottom), V(80, 40, 40)}));
+    };
+    CaseList slots(
+        "slotted box",
+        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(25, 0, 25), V(50, 60, 40))}}),
+        V(40, 30, 20), view);
+    slots.add("shallower crossing slot", cut, "cube", boxSpec(V(0, 20, 30), V(80, 40, 40)),
+              slotLines(30));
+    slots.add("deeper crossing slot", cut, "cube", boxSpec(V(0, 20, 15), V(80, 40, 40)),
+              slotLines(15));
+    for (ModificationCase& c : slots.take()) all.push_back(std::move(c));
+
+    CaseList hollow(
+        "hollow box",
+        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(15, 15, 20), V(50, 45, 40))}}),
+        V(40, 30, 20), view);
+    hollow.add("pocket into the pocket", cut, "cube", boxSpec(V(40, 15, 8), V(80, 50, 30)));
+    for (ModificationCase& c : hollow.take()) all.push_back(std::move(c));
+
+    // The groove in the front breaks through the wall of the pocket, out of sight from above.
+    const PolyhedronSpec pocket = boxSpec(V(20, 8, 14), V(60, 48, 40));
+    CaseList groove(
+        "grooved box",
+        changed(solidOf(box), {{BooleanKind::Cut,
+                                prismSpec({V(0, 0, 15), V(0, 15, 20), V(0, 0, 25)}, V(80, 0, 0))}}),
+        V(40, 30, 20), view);
+    groove.add(
+        "pocket into the groove", cut, "cube", pocket,
+        newVisibleLines({solidOf(box), {}}, changed(solidOf(box), {{BooleanKind::Cut, pocket}}),
+                        modificationCamera(view, V(40, 30, 20))));
+    for (ModificationCase& c : groove.take()) all.push_back(std::move(c));
+
+    CaseList boss(
+        "box with a boss",
+        changed(solidOf(box), {{BooleanKind::Add, boxSpec(V(20, 10, 40), V(50, 40, 52))}}),
+        V(40, 30, 20), view);
+    boss.add("chamfer under the boss", cut, "triangular-prism",
+             prismSpec({V(0, 0, 40), V(0, 20, 40), V(0, 0, 25)}, V(80, 0, 0)));
+    for (ModificationCase& c : boss.take()) all.push_back(std::move(c));
+}
+
+}  // namespace
+
+std::vector<ModificationCase> prismModifications(int view) {
+    const Solid target = solidOf(prismSpec({V(0, 0, 0), V(0, 60, 45), V(0, 80, 0)}, V(90, 0, 0)));
+    CaseList cases("prism", target, V(45, 40, 18), view);
+    cases.add("box on the slope", add, "cube", slopeBox(25, 60, 20, 55, 15));
+    cases.add("box over the whole slope", add, "cube", slopeBox(0, 90, 0, 75, 15));
+    cases.add("pocket in the slope", cut, "cube", slopeBox(20, 65, 15, 60, -15));
+    cases.add("notch in the slope's edge", cut, "cube", slopeBox(60, 90, 25, 50, -15));
+    cases.add("slot up the slope", cut, "cube", slopeBox(30, 60, 0, 75, -10));
+    cases.add("box on the end", add, "cube", boxSpec(V(90, 40, 5), V(110, 65, 25)));
+    cases.add("corner cut by a triangle", cut, "triangular-pyramid",
+              pyramidSpec(onSlope(90, 0), onSlope(60, 0), onSlope(90, 35), V(90, 30, 0)));
+    cases.add(
+        "roof on the slope", add, "triangular-prism",
+        prismSpec({onSlope(20, 15), onSlope(60, 15), onSlope(40, 15, 20)}, onSlope(0, 40, 0)));
+    return cases.take();
+}
+
+std::vector<ModificationCase> jointModifications(int view) {
+    std::vector<ModificationCase> all;
+    addWallCases(all, view);
+    addBossCases(all, view);
+    addCrackCases(all, view);
+    return all;
+}
+
+}  // namespace ew::test
