@@ -293,6 +293,14 @@ inline constexpr double kSharpestInset = 0.06;
 /// they contradict each other: the solver ends at about 1e-12.
 inline constexpr double kAnchorResidual = 1e-8;
 
+/// Rows of linear relations on a solid depend on each other below this share of the largest
+/// singular value: directions of the model are apart or the same to rounding.
+inline constexpr double kLinearRank = 1e-9;
+/// Price of a wall that does not stand upright, and of two directions of the model for what is
+/// perpendicular in the template.
+inline constexpr double kSlantCost = 3.0;
+inline constexpr double kSkewCost = 6.0;
+
 /// A stroke is a model edge where it lies beside it within this fraction of the distance threshold.
 inline constexpr double kAlongModel = 0.8;
 /// A direction of the model that is seen shorter than this (sine to the view) gives none on the

@@ -11,11 +11,11 @@ namespace ew {
 
 std::vector<ModelDirection> directionsNear(const ModelView& model, const std::vector<int>& faces) {
     std::vector<ModelDirection> known;
-    const auto add = [&](const Vec3& d, ToolEdgeRule::Kind kind, int index) {
+    const auto add = [&](const Vec3& d, ToolEdgeRule::Kind kind, int index, int other = -1) {
         const bool have = std::any_of(known.begin(), known.end(), [&](const ModelDirection& k) {
             return k.direction.cross(d).norm() < tol::kSolidDirection;
         });
-        if (!have) known.push_back({d, kind, index});
+        if (!have) known.push_back({d, kind, index, other});
     };
     const auto& solid = model.solid();
     const auto addAll = [&](const std::set<int>& some) {
@@ -40,6 +40,14 @@ std::vector<ModelDirection> directionsNear(const ModelView& model, const std::ve
         }
     }
     addAll(around);
+    for (std::size_t e = 0; e < solid.edges().size(); ++e) {
+        for (const int f : solid.edges()[e].faces) {
+            if (!own.contains(f)) continue;
+            const int ei = static_cast<int>(e);
+            add(model.plane(f).normal.cross(model.edgeDirection(ei)).normalized(),
+                ToolEdgeRule::Kind::AcrossEdge, ei, f);
+        }
+    }
     return known;
 }
 

@@ -12,11 +12,12 @@ namespace ew {
 struct ModelDirection {
     Vec3 direction = Vec3::UnitX();  ///< unit, camera space
     ToolEdgeRule::Kind kind = ToolEdgeRule::Kind::AlongEdge;
-    int index = -1;  ///< edge or face of the solid
+    int index = -1;  ///< as in ToolEdgeRule
+    int other = -1;
 };
 
 /// Directions of the edges and normals of some faces and of their neighbours, each once; those of
-/// the faces themselves first.
+/// the faces themselves first. Last those that lie in one of these faces across one of its edges.
 std::vector<ModelDirection> directionsNear(const ModelView& model, const std::vector<int>& faces);
 
 }  // namespace ew

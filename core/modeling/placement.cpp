@@ -10,14 +10,12 @@
 
 #include "core/base/tolerance.h"
 #include "core/modeling/anchor_start.h"
-#include "core/modeling/model_directions.h"
+#include "core/modeling/placement_directions.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-using FacePairs = std::vector<std::array<int, 2>>;
 
 class Placer {
   public:
@@ -151,151 +149,84 @@ class Placer {
         }
     }
 
-    /// What is drawn of a direction class on the screen.
-    struct DrawnClass {
-        Vec2 doubled = Vec2::Zero();  ///< sum of lengths times doubled direction
-        double length = 0.0;
-        std::vector<int> inFaces;  ///< faces of the solid that its edges lie in
-        int modelEdge = -1;        ///< one of its edges is this edge of the solid
-    };
-
-    std::vector<DrawnClass> drawnClasses(const FacePairs& pairs) const {
-        std::vector<DrawnClass> classes(at(analysis_.classCount));
-        for (std::size_t g = 0; g < reading_.graph.edges.size(); ++g) {
-            const AnalysedEdge& e = analysis_.edges[at(match_.edge[g])];
-            DrawnClass& c = classes[at(e.directionClass)];
-            const Vec2 d = reading_.graph.edges[g].tips[1] - reading_.graph.edges[g].tips[0];
-            const double len = std::max(d.norm(), 1e-9);
-            c.doubled += Vec2(d.x() * d.x() - d.y() * d.y(), 2 * d.x() * d.y()) / len;
-            c.length += len;
-            if (reading_.edgeModel[g] >= 0 &&
-                (coincides(pairs, e.faces[0]) || coincides(pairs, e.faces[1]))) {
-                c.modelEdge = reading_.edgeModel[g];
-            }
-        }
-        for (const AnalysedEdge& e : analysis_.edges) {
-            for (const auto& p : pairs) {
-                if (e.faces[0] == p[0] || e.faces[1] == p[0]) {
-                    classes[at(e.directionClass)].inFaces.push_back(p[1]);
-                }
-            }
-        }
-        return classes;
-    }
-
-    using Snaps = std::vector<std::optional<ModelDirection>>;  ///< per direction class
-
-    Snaps snapDirections(const FacePairs& pairs) {
-        std::vector<int> faces;
-        for (const auto& p : pairs) faces.push_back(p[1]);
-        const std::vector<ModelDirection> known = directionsNear(model_, faces);
-        Snaps snaps;
-        inFaces_.clear();
-        for (const DrawnClass& c : drawnClasses(pairs)) {
-            inFaces_.push_back(!c.inFaces.empty());
-            std::optional<ModelDirection> best;
-            if (c.modelEdge >= 0) {
-                best = ModelDirection{model_.edgeDirection(c.modelEdge),
-                                      ToolEdgeRule::Kind::AlongEdge, c.modelEdge};
-            } else if (c.length > 0) {
-                best = nearest(known, c, pairs);
-            }
-            snaps.push_back(best);
-        }
-        return snaps;
-    }
-
-    std::optional<ModelDirection> nearest(const std::vector<ModelDirection>& known,
-                                          const DrawnClass& c, const FacePairs& pairs) const {
-        constexpr double kRadian = 180.0 / std::numbers::pi;
-        constexpr double kNormalBonusDeg = 2.0;
-        const double drawn = 0.5 * std::atan2(c.doubled.y(), c.doubled.x());
-        const double excuse = std::atan(options_.noisePx / std::max(0.5 * c.length, 1.0)) * kRadian;
-        double least = options_.thresholds.angleDeg + excuse;
-        std::optional<ModelDirection> best;
-        for (const ModelDirection& d : known) {
-            if (d.direction.head<2>().norm() < tol::kEndOnSine) continue;
-            const bool lies = std::all_of(c.inFaces.begin(), c.inFaces.end(), [&](int f) {
-                return std::abs(model_.plane(f).normal.dot(d.direction)) < tol::kSolidDirection;
-            });
-            if (!lies) continue;
-            const double angle = std::atan2(d.direction.y(), d.direction.x());
-            double off = std::abs(std::remainder(angle - drawn, std::numbers::pi)) * kRadian;
-            // A wall is usually meant to stand upright on its face.
-            const bool upright =
-                c.inFaces.empty() && d.kind == ToolEdgeRule::Kind::AlongNormal &&
-                std::any_of(pairs.begin(), pairs.end(), [&](const auto& p) {
-                    return std::abs(model_.plane(p[1]).normal.dot(d.direction)) > 1 - 1e-9;
-                });
-            if (upright) off -= kNormalBonusDeg;
-            if (off <= least) {
-                least = off;
-                best = d;
-            }
-        }
-        return best;
-    }
-
-    /// Which directions are the model's, and which of its own relations the template keeps.
-    struct Freedom {
-        enum class Snap { All, InFaces, None };
-        Snap snap = Snap::All;
+    /// What is taken for granted of the template's own relations.
+    struct Relations {
         bool perpendicular = true;
         bool parallel = true;
     };
 
-    SolverRelations relationsFor(const Snaps& snaps, const Freedom& freedom) const {
+    SolverRelations relationsFor(const DirectionAssignment& directions,
+                                 const Relations& keep) const {
         const SolverRelations all = solverRelations(analysis_);
+        const auto given = [&](int e) {
+            return directions.byClass[at(analysis_.edges[at(e)].directionClass)].has_value();
+        };
         SolverRelations r;
-        if (freedom.parallel) {
+        if (keep.parallel) {
             for (const auto& group : all.parallel) {
-                if (!taken(snaps, group.front(), freedom)) r.parallel.push_back(group);
+                if (!given(group.front())) r.parallel.push_back(group);
             }
         }
-        if (!freedom.perpendicular) return r;
+        if (!keep.perpendicular) return r;
         for (const auto& pair : all.perpendicular) {
             // What the model says of two directions stands above the template.
-            const bool told = taken(snaps, pair[0], freedom) && taken(snaps, pair[1], freedom);
-            if (!told) r.perpendicular.push_back(pair);
+            if (!given(pair[0]) || !given(pair[1])) r.perpendicular.push_back(pair);
         }
         return r;
     }
 
-    bool taken(const Snaps& snaps, int edge, const Freedom& freedom) const {
-        const AnalysedEdge& e = analysis_.edges[at(edge)];
-        if (!snaps[at(e.directionClass)] || freedom.snap == Freedom::Snap::None) return false;
-        return freedom.snap == Freedom::Snap::All || inFaces_[at(e.directionClass)];
-    }
-
-    /// Solves with less and less that is taken for granted; the cheapest explanation counts.
+    /// Tries directions of the model, the most obvious first; the cheapest explanation counts.
     void attempt(const FacePairs& pairs, Operation operation) {
         if (!distinctPlanes(pairs)) return;
-        using Snap = Freedom::Snap;
-        static const std::vector<Freedom> kFreedoms{
-            {Snap::All, true, true},  {Snap::InFaces, true, true}, {Snap::None, true, true},
-            {Snap::All, false, true}, {Snap::None, false, true},   {Snap::None, false, false}};
-        const Snaps snaps = snapDirections(pairs);
-        std::optional<Placement> best;
-        Freedom with;
-        for (const Freedom& f : kFreedoms) {
-            if (options_.plain && &f != &kFreedoms.front()) break;
-            auto placed = solve(pairs, operation, snaps, f);
-            if (!placed) continue;
-            if (placed->open > 0 && operation == Operation::Cut) {
-                if (auto through = reachThrough(*placed, snaps, f)) placed = std::move(through);
-            }
-            if (!onItsSide(*placed)) continue;
-            if (!best || placed->cost < best->cost) {
-                best = std::move(placed);
-                with = f;
-            }
+        constexpr std::size_t kMostAssignments = 24;
+        constexpr int kMostIterated = 5;
+        const auto assignments = directionAssignments(
+            reading_, match_, model_, pairs, {options_.thresholds.angleDeg, options_.noisePx},
+            kMostAssignments);
+        Best best;
+        int iterated = 0;
+        for (const DirectionAssignment& a : assignments) {
+            const bool linear = isLinear(tmpl_, analysis_, a.known());
+            if (!linear && (options_.plain || ++iterated > kMostIterated)) continue;
+            if (best.placed && a.cost >= best.placed->cost) continue;
+            consider(pairs, operation, a, {}, best);
             // What agrees with the ink needs no second opinion.
-            if (best->misfit <= static_cast<double>(sighting_.edges.size())) break;
+            if (best.placed && agrees(*best.placed)) break;
         }
-        if (!best) return;
-        auto flush = snapFaces(*best, snaps, with);
-        if (flush && onItsSide(*flush)) best = std::move(flush);
-        out_.push_back(std::move(*best));
+        if (!options_.plain && !(best.placed && agrees(*best.placed))) {
+            DirectionAssignment none;
+            none.byClass.resize(at(analysis_.classCount));
+            for (const Relations& keep : {Relations{false, true}, Relations{false, false}}) {
+                consider(pairs, operation, none, keep, best);
+            }
+        }
+        if (!best.placed) return;
+        auto flush = snapFaces(*best.placed, best.directions, best.keep);
+        if (flush && onItsSide(*flush)) best.placed = std::move(flush);
+        out_.push_back(std::move(*best.placed));
+    }
+
+    struct Best {
+        std::optional<Placement> placed;
+        DirectionAssignment directions;
+        Relations keep;
+    };
+
+    bool agrees(const Placement& p) const {
+        return p.misfit <= static_cast<double>(sighting_.edges.size());
+    }
+
+    void consider(const FacePairs& pairs, Operation operation, const DirectionAssignment& a,
+                  const Relations& keep, Best& best) const {
+        auto placed = solve(pairs, operation, a, keep);
+        if (!placed) return;
+        if (placed->open > 0 && operation == Operation::Cut) {
+            if (auto through = reachThrough(*placed, a, keep)) placed = std::move(through);
+        }
+        if (!onItsSide(*placed)) return;
+        if (!best.placed || placed->cost < best.placed->cost) {
+            best = {std::move(placed), a, keep};
+        }
     }
 
     bool distinctPlanes(const FacePairs& pairs) const {
@@ -306,8 +237,9 @@ class Placer {
         return true;
     }
 
-    std::optional<Placement> solve(const FacePairs& pairs, Operation operation, const Snaps& snaps,
-                                   const Freedom& freedom) const {
+    std::optional<Placement> solve(const FacePairs& pairs, Operation operation,
+                                   const DirectionAssignment& directions,
+                                   const Relations& keep) const {
         Anchors anchors;
         Placement out;
         out.operation = operation;
@@ -315,31 +247,45 @@ class Placer {
         addPlanes(anchors, pairs);
         addPlaces(anchors, out.tool, pairs);
         for (std::size_t e = 0; e < analysis_.edges.size(); ++e) {
-            if (!taken(snaps, static_cast<int>(e), freedom)) continue;
-            const auto& snap = snaps[at(analysis_.edges[e].directionClass)];
-            anchors.directions.push_back({static_cast<int>(e), snap->direction});
-            out.tool.edges.push_back({analysis_.edges[e].ends, snap->kind, snap->index});
+            const auto& d = directions.byClass[at(analysis_.edges[e].directionClass)];
+            if (!d) continue;
+            anchors.directions.push_back({static_cast<int>(e), d->direction});
+            out.tool.edges.push_back({analysis_.edges[e].ends, d->kind, d->index, d->other});
         }
-        const CameraPoints start = anchoredStart(tmpl_, analysis_, sighting_, anchors);
-        const double most = tol::kClearResidual * options_.thresholds.distancePx;
-        // Anchors and directions are in the start already; it is never far from the solution.
-        if (!(residualPx(sighting_, analysis_, start) <= tol::kStartResidual * most)) {
-            return std::nullopt;
-        }
-        const auto solution = solveAnchored(tmpl_, analysis_, sighting_,
-                                            relationsFor(snaps, freedom), anchors, start);
+        const auto solution = solved(anchors, directions, keep, operation);
         if (!solution) return std::nullopt;
         out.points = solution->points;
         out.residualPx = residualPx(sighting_, analysis_, out.points);
-        if (!(out.residualPx <= most)) return std::nullopt;
+        if (!(out.residualPx <= most())) return std::nullopt;
         out.misfit = misfit(out.points);
         out.open = solution->freedoms;
-        const int strange = strangeDirections(out);
-        out.cost = out.misfit + tol::kStrangeDirectionCost * strange +
-                   tol::kFreedomCost * solution->parameters +
-                   tol::kUnseenPlaneCost * solution->freedoms +
-                   tol::kModelEdgeCost * reading_.modelEdges;
+        out.cost =
+            out.misfit + directions.cost + tol::kStrangeDirectionCost * strangeDirections(out) +
+            tol::kFreedomCost * solution->parameters + tol::kUnseenPlaneCost * solution->freedoms +
+            tol::kModelEdgeCost * reading_.modelEdges;
         return finishTool(out) ? std::optional<Placement>(std::move(out)) : std::nullopt;
+    }
+
+    double most() const { return tol::kClearResidual * options_.thresholds.distancePx; }
+
+    /// In closed form where that can be. What an added body leaves open is closed by regularity,
+    /// which takes iterations.
+    std::optional<GeneralSolution> solved(const Anchors& anchors,
+                                          const DirectionAssignment& directions,
+                                          const Relations& keep, Operation operation) const {
+        const KnownDirections known = directions.known();
+        if (keep.perpendicular && keep.parallel && isLinear(tmpl_, analysis_, known)) {
+            auto linear = solveLinearly(tmpl_, analysis_, sighting_, anchors, known);
+            if (!linear || linear->freedoms == 0 || operation == Operation::Cut) return linear;
+        }
+        if (options_.plain) return std::nullopt;
+        const CameraPoints start = anchoredStart(tmpl_, analysis_, sighting_, anchors);
+        // Anchors and directions are in the start already; it is never far from the solution.
+        if (!(residualPx(sighting_, analysis_, start) <= tol::kStartResidual * most())) {
+            return std::nullopt;
+        }
+        return solveAnchored(tmpl_, analysis_, sighting_, relationsFor(directions, keep), anchors,
+                             start);
     }
 
     /// Direction classes that come out along no direction of the model nearby.
@@ -392,8 +338,9 @@ class Placer {
 
     /// A hole whose bottom is not to be seen goes through: the face across from its mouth lies in
     /// the farthest face of the solid that looks away from the mouth's.
-    std::optional<Placement> reachThrough(const Placement& placed, const Snaps& snaps,
-                                          const Freedom& freedom) const {
+    std::optional<Placement> reachThrough(const Placement& placed,
+                                          const DirectionAssignment& directions,
+                                          const Relations& keep) const {
         FacePairs pairs = placed.coinciding;
         const CameraPlane mouth = model_.plane(pairs.front()[1]);
         int across = -1;
@@ -417,12 +364,13 @@ class Placer {
         }
         if (across < 0 || bottom < 0) return std::nullopt;
         pairs.push_back({across, bottom});
-        return solve(pairs, placed.operation, snaps, freedom);
+        return solve(pairs, placed.operation, directions, keep);
     }
 
     /// Faces that come within the distance threshold of a parallel face of the solid lie in it.
-    std::optional<Placement> snapFaces(const Placement& placed, const Snaps& snaps,
-                                       const Freedom& freedom) const {
+    std::optional<Placement> snapFaces(const Placement& placed,
+                                       const DirectionAssignment& directions,
+                                       const Relations& keep) const {
         FacePairs pairs = placed.coinciding;
         const std::size_t before = pairs.size();
         for (std::size_t t = 0; t < tmpl_.shape.faces.size(); ++t) {
@@ -438,7 +386,7 @@ class Placer {
                 if (plane.normal.cross(n).norm() > tol::kSolidDirection) continue;
                 const double off =
                     std::abs(plane.normal.dot(placed.points[at(loop[0])]) - plane.offset);
-                if (off < least) {
+                if (off < least && near(placed, loop, static_cast<int>(f))) {
                     least = off;
                     best = static_cast<int>(f);
                 }
@@ -446,7 +394,22 @@ class Placer {
             if (best >= 0) pairs.push_back({static_cast<int>(t), best});
         }
         if (pairs.size() == before) return std::nullopt;
-        return solve(pairs, placed.operation, snaps, freedom);
+        return solve(pairs, placed.operation, directions, keep);
+    }
+
+    /// Does a face of the tool come near a face of the solid in space? Parallel planes far apart
+    /// sideways are no reason to be flush.
+    bool near(const Placement& p, const std::vector<int>& loop, int face) const {
+        Eigen::AlignedBox3d tool;
+        Eigen::AlignedBox3d other;
+        for (const int v : loop) tool.extend(p.points[at(v)]);
+        for (const int v : model_.solid().faces()[at(face)].loops.front()) {
+            other.extend(model_.vertex(v));
+        }
+        const Vec3 reach = Vec3::Constant(options_.thresholds.distancePx);
+        other.min() -= reach;
+        other.max() += reach;
+        return tool.intersects(other);
     }
 
     bool finishTool(Placement& p) const {
@@ -481,7 +444,6 @@ class Placer {
     const PlacementOptions& options_;
     Sighting sighting_;
     Vec2 center_ = Vec2::Zero();
-    std::vector<bool> inFaces_;  ///< per direction class: it has edges in faces of the solid
     std::vector<Placement> out_;
 };
 

@@ -143,18 +143,25 @@ Result<void> addVertexRule(const TargetGeometry& target, const ToolVertexRule& r
 
 Result<void> addEdgeRule(const TargetGeometry& target, const PolyhedronSpec& shape,
                          const ToolEdgeRule& rule, ToolFixing& fix) {
-    const bool along = rule.kind == ToolEdgeRule::Kind::AlongEdge;
-    if (along ? !target.hasEdge(rule.index) : !target.hasFace(rule.index)) {
+    using Kind = ToolEdgeRule::Kind;
+    if (rule.kind == Kind::AlongNormal ? !target.hasFace(rule.index)
+                                       : !target.hasEdge(rule.index)) {
         return badRule("a part of the solid");
     }
+    if (rule.kind == Kind::AcrossEdge && !target.hasFace(rule.other)) {
+        return badRule("a face of the solid");
+    }
+    const RVec direction = rule.kind == Kind::AlongNormal ? target.plane(rule.index).normal
+                           : rule.kind == Kind::AlongEdge ? target.edgeDirection(rule.index)
+                                                          : cross(target.plane(rule.other).normal,
+                                                                  target.edgeDirection(rule.index));
     int faces = 0;
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
         const auto& loop = shape.faces[f];
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const std::array<int, 2> side{loop[k], loop[(k + 1) % loop.size()]};
             if (side != rule.ends && side != std::array{rule.ends[1], rule.ends[0]}) continue;
-            fix.faceAlong(static_cast<int>(f), along ? target.edgeDirection(rule.index)
-                                                     : target.plane(rule.index).normal);
+            fix.faceAlong(static_cast<int>(f), direction);
             ++faces;
         }
     }

@@ -40,13 +40,18 @@ struct ToolVertexRule {
     double t = 0.0;  ///< any finite number: a corner may lie beyond the two
 };
 
-/// An edge of the tool that runs exactly in a direction of the target: short for AlongEdge or
-/// AlongNormal of both its faces.
+/// An edge of the tool that runs exactly in a direction of the target, in which both its faces then
+/// lie.
 struct ToolEdgeRule {
-    enum class Kind { AlongEdge, AlongNormal };
+    enum class Kind {
+        AlongEdge,    ///< parallel to the target's edge `index`
+        AlongNormal,  ///< perpendicular to the target's face `index`
+        AcrossEdge,   ///< perpendicular to the target's edge `index`, in its face `other`
+    };
     std::array<int, 2> ends{-1, -1};  ///< vertices of ToolSpec::shape
     Kind kind = Kind::AlongNormal;
-    int index = -1;  ///< edge or face of the target
+    int index = -1;
+    int other = -1;
 };
 
 /// A body to add to a solid or to cut out of it: its shape in doubles, in the target's frame, and

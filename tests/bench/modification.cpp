@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "core/modeling/interpretation.h"
+#include "core/solid/visibility.h"
 #include "core/tlib/library.h"
 #include "tests/bench/recognition_report.h"
 #include "tests/support/modification_cases.h"
@@ -142,6 +143,20 @@ void judge(const ModificationCase& c, const Interpretation& r, std::size_t level
     out.verdict = Verdict::Right;
 }
 
+void printCandidates(const ModificationCase& c, const Interpretation& r) {
+    const double before = c.target.solid.volume();
+    std::printf("wanted: %+.1f mm^3, %d vertices %d edges %d faces\n", c.volume - before,
+                c.vertices, c.edges, c.faces);
+    for (const Candidate& k : r.candidates) {
+        if (!k.result) continue;
+        std::printf("  %-18s %-10s score %.3f, off by %.2f px, %+.1f mm^3, %zu %zu %zu\n",
+                    k.templateId.c_str(), k.aspect.c_str(), k.score, k.residualPx,
+                    k.result->volume() - before, k.result->vertices().size(),
+                    k.result->edges().size(), k.result->faces().size());
+    }
+    if (r.problem) std::printf("  %s\n", r.problem->message.c_str());
+}
+
 void work(const Options& options, const std::vector<Row>& rows, const TemplateLibrary& library,
           std::vector<Job>& jobs) {
     std::atomic<std::size_t> next{0};
@@ -158,6 +173,7 @@ void work(const Options& options, const std::vector<Row>& rows, const TemplateLi
             const Interpretation r = interpret(strokes, library, o);
             const std::chrono::duration<double, std::milli> took =
                 std::chrono::steady_clock::now() - start;
+            if (options.index >= 0) printCandidates(c, r);
             judge(c, r, job.level, job.outcome);
             job.outcome.index = job.index;
             job.outcome.ms = took.count();
@@ -226,7 +242,41 @@ void print(const std::vector<Row>& rows, const std::vector<Job>& jobs) {
     std::printf("\n");
 }
 
-void dump(const Options& options, const std::vector<Row>& rows, const std::vector<Job>& jobs) {
+/// A picture of a drawing: the model grey, strokes black, the best candidate's template red.
+void writePicture(const std::string& path, const ModificationCase& c,
+                  const std::vector<Stroke>& strokes, const Interpretation& r) {
+    std::ofstream svg(path);
+    svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='380 140 520 520' width='520' "
+           "height='520'><rect x='380' y='140' width='520' height='520' fill='white'/>\n";
+    const auto line = [&](const Vec2& a, const Vec2& b, const char* style) {
+        svg << "<line x1='" << a.x() << "' y1='" << a.y() << "' x2='" << b.x() << "' y2='" << b.y()
+            << "' " << style << "/>\n";
+    };
+    const auto view = SolidView::make(c.target.solid, c.target.pose, c.camera);
+    for (const VisiblePiece& p : view->visiblePieces()) {
+        line(p.px[0], p.px[1], "stroke='#aaa' stroke-width='3'");
+    }
+    for (const Stroke& s : strokes) {
+        for (std::size_t i = 0; i + 1 < s.samples.size(); ++i) {
+            line(s.samples[i].position, s.samples[i + 1].position,
+                 "stroke='black' stroke-width='1.5'");
+        }
+    }
+    if (r.candidates.empty()) {
+        svg << "</svg>\n";
+        return;
+    }
+    const Candidate& k = r.candidates[static_cast<std::size_t>(r.accepted.value_or(0))];
+    for (const SpecEdge& e : specEdges(k.spec)) {
+        line(c.camera.project(k.pose.toWorld(k.spec.vertices[static_cast<std::size_t>(e.ends[0])])),
+             c.camera.project(k.pose.toWorld(k.spec.vertices[static_cast<std::size_t>(e.ends[1])])),
+             "stroke='red' stroke-width='1'");
+    }
+    svg << "</svg>\n";
+}
+
+void dump(const Options& options, const TemplateLibrary& library, const std::vector<Row>& rows,
+          const std::vector<Job>& jobs) {
     if (options.dump.empty()) return;
     std::filesystem::create_directories(options.dump);
     std::ofstream index(options.dump + "/index.tsv");
@@ -237,8 +287,14 @@ void dump(const Options& options, const std::vector<Row>& rows, const std::vecto
         std::replace_if(
             stem.begin(), stem.end(), [](char c) { return c == ' ' || c == ':'; }, '_');
         const ModificationCase& c = caseOf(rows[j.row], j.index);
-        std::ofstream(options.dump + "/" + stem + ".json") << sketchScriptText(
-            stem, c.camera, Thresholds{}, drawingOf(options, rows[j.row], j.level, j.index));
+        const auto strokes = drawingOf(options, rows[j.row], j.level, j.index);
+        std::ofstream(options.dump + "/" + stem + ".json")
+            << sketchScriptText(stem, c.camera, Thresholds{}, strokes);
+        InterpretOptions o;
+        o.camera = c.camera;
+        o.bodies = {c.target};
+        writePicture(options.dump + "/" + stem + ".svg", c, strokes,
+                     interpret(strokes, library, o));
         index << stem << ".json\t" << j.outcome.detail << '\n';
     }
 }
@@ -292,7 +348,7 @@ int run(const Options& options) {
         }
         for (const auto& [reason, n] : reasons) std::printf("%4d %s\n", n, reason.c_str());
     }
-    dump(options, rows, jobs);
+    dump(options, load->library, rows, jobs);
     return 0;
 }
 
