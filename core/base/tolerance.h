@@ -301,6 +301,10 @@ inline constexpr double kLinearRank = 1e-9;
 inline constexpr double kSlantCost = 3.0;
 inline constexpr double kSkewCost = 6.0;
 
+/// Ink that turns by more than this where it meets an edge or a corner of the solid may be bent
+/// there, over the edge [degrees].
+inline constexpr double kFoldDeg = 3.0;
+
 /// A stroke is a model edge where it lies beside it within this fraction of the distance threshold.
 inline constexpr double kAlongModel = 0.8;
 /// A direction of the model that is seen shorter than this (sine to the view) gives none on the

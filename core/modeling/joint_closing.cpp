@@ -15,10 +15,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Choices of model edges are tried one by one, so their number is bounded; those on short ways
-/// come first.
-constexpr std::size_t kMostOptional = 13;
-
 /// An edge of a reading while it is being made.
 struct Chain {
     std::array<int, 2> nodes{-1, -1};
@@ -33,7 +29,10 @@ class Closing {
     Closing(const JointGraph& joint, double distancePx) : joint_(joint), distance_(distancePx) {}
 
     /// False where this choice of model edges closes nothing or is no better than a smaller one.
-    bool take(const std::vector<int>& chosen) {
+    /// \param folds  ink that turns slightly where it meets the model has a corner there.
+    bool take(const std::vector<int>& chosen, bool folds) {
+        folds_ = folds;
+        folded_ = false;
         chains_.clear();
         for (std::size_t e = 0; e < joint_.inkEdges; ++e) add(joint_.edges[e]);
         for (const int e : chosen) add(joint_.edges[at(e)]);
@@ -41,6 +40,9 @@ class Closing {
         modelEdges_ = static_cast<int>(chosen.size());
         return prune() && largestPart() && (dissolve(), true) && edgeCount() >= 5;
     }
+
+    /// Did some slight turn on the model make a difference?
+    bool folded() const { return folded_; }
 
     PlaneGraph shape() {
         PlaneGraph plane;
@@ -210,6 +212,12 @@ class Closing {
                 (turn > tol::kNearlyStraightDeg || bend > 2.0 * tol::kStraightBend * distance_)) {
                 continue;
             }
+            const JointNode& node = joint_.nodes[n];
+            if (a.modelEdge < 0 && turn > tol::kFoldDeg &&
+                (node.modelEdge >= 0 || node.modelVertex >= 0)) {
+                folded_ = true;
+                if (folds_) continue;
+            }
             a.nodes[1] = b.nodes[1];
             a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
             b.alive = false;
@@ -225,6 +233,132 @@ class Closing {
     std::vector<int> nodes_;
     double stray_ = 0.0;
     int modelEdges_ = 0;
+    bool folds_ = true;
+    bool folded_ = false;
+};
+
+/// A choice of model edges on the way to closing the ink.
+struct Choice {
+    std::vector<int> edges;    ///< ascending
+    std::vector<int> leftOut;  ///< nodes whose open ends stay open, ascending
+    int extra = 0;             ///< ways that no open end asked for
+    double price = 0.0;
+};
+
+class ClosingSearch {
+  public:
+    ClosingSearch(const JointGraph& joint, const std::function<bool(const PlaneGraph&)>& known,
+                  double distancePx)
+        : joint_(joint), known_(known), closing_(joint, distancePx) {
+        ends_.resize(joint.ways.size());
+        for (std::size_t w = 0; w < joint.ways.size(); ++w) {
+            std::map<int, int> degree;
+            for (const int e : joint.ways[w]) {
+                for (const int n : joint.edges[at(e)].nodes) ++degree[n];
+            }
+            for (const auto& [n, d] : degree) {
+                if (d == 1) ends_[w].push_back(n);
+            }
+        }
+    }
+
+    std::vector<JointReading> run() {
+        Choice redrawn;
+        for (std::size_t e = joint_.inkEdges; e < joint_.edges.size(); ++e) {
+            if (joint_.edges[e].redrawn >= 0.5) redrawn.edges.push_back(static_cast<int>(e));
+        }
+        push({});
+        if (!redrawn.edges.empty()) push(std::move(redrawn));
+        for (int i = 0; i < kMostChoices && !open_.empty(); ++i) {
+            const Choice c = open_.begin()->second;
+            open_.erase(open_.begin());
+            expand(c);
+        }
+        return std::move(found_);
+    }
+
+  private:
+    static constexpr int kMostChoices = 600;
+    static constexpr int kMostExtra = 3;
+    static constexpr double kLeftOutPrice = 3.0;
+    static constexpr double kExtraPrice = 1.5;
+
+    void push(Choice c) {
+        if (seen_.insert({c.edges, c.leftOut}).second) open_.emplace(c.price, std::move(c));
+    }
+
+    /// An open end of ink that something can be said of.
+    int openEnd(const Choice& c) const {
+        std::vector<int> degree(joint_.nodes.size(), 0);
+        for (std::size_t e = 0; e < joint_.inkEdges; ++e) {
+            for (const int n : joint_.edges[e].nodes) ++degree[at(n)];
+        }
+        for (const int e : c.edges) {
+            for (const int n : joint_.edges[at(e)].nodes) ++degree[at(n)];
+        }
+        for (std::size_t n = 0; n < degree.size(); ++n) {
+            const int ni = static_cast<int>(n);
+            if (degree[n] == 1 && joint_.nodes[n].ink &&
+                !std::binary_search(c.leftOut.begin(), c.leftOut.end(), ni)) {
+                return ni;
+            }
+        }
+        return -1;
+    }
+
+    static bool goesFrom(const std::vector<int>& ends, int node) {
+        return std::find(ends.begin(), ends.end(), node) != ends.end();
+    }
+
+    void expand(const Choice& c) {
+        const int end = openEnd(c);
+        if (end < 0) emit(c);
+        if (end < 0 && c.extra == kMostExtra) return;
+        for (std::size_t w = 0; w < joint_.ways.size(); ++w) {
+            if (end >= 0 && !goesFrom(ends_[w], end)) continue;
+            Choice next = c;
+            next.edges.insert(next.edges.end(), joint_.ways[w].begin(), joint_.ways[w].end());
+            std::sort(next.edges.begin(), next.edges.end());
+            next.edges.erase(std::unique(next.edges.begin(), next.edges.end()), next.edges.end());
+            if (next.edges.size() == c.edges.size()) continue;
+            next.extra += end < 0 ? 1 : 0;
+            next.price += 0.3 * static_cast<double>(next.edges.size() - c.edges.size()) +
+                          (end < 0 ? kExtraPrice : 0.5);
+            push(std::move(next));
+        }
+        if (end < 0) return;
+        Choice next = c;
+        next.leftOut.insert(std::upper_bound(next.leftOut.begin(), next.leftOut.end(), end), end);
+        next.price += kLeftOutPrice;
+        push(std::move(next));
+    }
+
+    void emit(const Choice& c) {
+        emit(c, true);
+        if (closing_.folded()) emit(c, false);
+    }
+
+    void emit(const Choice& c, bool folds) {
+        if (!closing_.take(c.edges, folds) || !known_(closing_.shape())) return;
+        JointReading r = closing_.reading();
+        std::vector<std::array<int, 2>> key;
+        for (const GraphEdge& e : r.graph.edges) {
+            const int a = r.junctionNode[at(e.ends[0])];
+            const int b = r.junctionNode[at(e.ends[1])];
+            key.push_back({std::min(a, b), std::max(a, b)});
+        }
+        std::sort(key.begin(), key.end());
+        if (shapes_.insert(std::move(key)).second) found_.push_back(std::move(r));
+    }
+
+    const JointGraph& joint_;
+    const std::function<bool(const PlaneGraph&)>& known_;
+    Closing closing_;
+    std::vector<std::vector<int>> ends_;  ///< per way: its two ends
+    std::multimap<double, Choice> open_;
+    std::set<std::pair<std::vector<int>, std::vector<int>>> seen_;
+    std::set<std::vector<std::array<int, 2>>> shapes_;
+    std::vector<JointReading> found_;
 };
 
 }  // namespace
@@ -232,36 +366,7 @@ class Closing {
 std::vector<JointReading> closedReadings(const JointGraph& joint,
                                          const std::function<bool(const PlaneGraph&)>& known,
                                          double distancePx, std::size_t limit) {
-    std::vector<int> optional;
-    for (std::size_t e = joint.inkEdges; e < joint.edges.size(); ++e) {
-        optional.push_back(static_cast<int>(e));
-    }
-    std::stable_sort(optional.begin(), optional.end(), [&](int a, int b) {
-        const JointEdge& x = joint.edges[at(a)];
-        const JointEdge& y = joint.edges[at(b)];
-        return std::pair(x.redrawn < 0.5, x.way) < std::pair(y.redrawn < 0.5, y.way);
-    });
-    if (optional.size() > kMostOptional) optional.resize(kMostOptional);
-
-    Closing closing(joint, distancePx);
-    std::vector<JointReading> found;
-    std::set<std::vector<std::array<int, 2>>> seen;
-    for (unsigned mask = 0; mask < (1u << optional.size()); ++mask) {
-        std::vector<int> chosen;
-        for (std::size_t i = 0; i < optional.size(); ++i) {
-            if ((mask >> i & 1u) != 0) chosen.push_back(optional[i]);
-        }
-        if (!closing.take(chosen) || !known(closing.shape())) continue;
-        JointReading r = closing.reading();
-        std::vector<std::array<int, 2>> key;
-        for (std::size_t e = 0; e < r.graph.edges.size(); ++e) {
-            const int a = r.junctionNode[at(r.graph.edges[e].ends[0])];
-            const int b = r.junctionNode[at(r.graph.edges[e].ends[1])];
-            key.push_back({std::min(a, b), std::max(a, b)});
-        }
-        std::sort(key.begin(), key.end());
-        if (seen.insert(std::move(key)).second) found.push_back(std::move(r));
-    }
+    std::vector<JointReading> found = ClosingSearch(joint, known, distancePx).run();
     std::stable_sort(found.begin(), found.end(), [](const JointReading& a, const JointReading& b) {
         return std::pair(a.strayPx, a.modelEdges) < std::pair(b.strayPx, b.modelEdges);
     });

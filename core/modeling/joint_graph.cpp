@@ -232,16 +232,14 @@ class Extraction {
         for (std::size_t e = out_.inkEdges; e < out_.edges.size(); ++e) {
             for (const int n : out_.edges[e].nodes) around[at(n)].push_back(static_cast<int>(e));
         }
+        std::set<std::vector<int>> ways;
         std::vector<int> way;
         const std::function<void(int, int)> walk = [&](int start, int n) {
             if (!way.empty() && out_.nodes[at(n)].ink) {
-                if (n != start) {
-                    for (const int e : way) {
-                        int& shortest = out_.edges[at(e)].way;
-                        const int length = static_cast<int>(way.size());
-                        shortest = shortest == 0 ? length : std::min(shortest, length);
-                    }
-                }
+                if (n == start) return;
+                std::vector<int> found = way;
+                std::sort(found.begin(), found.end());
+                ways.insert(std::move(found));
                 return;
             }
             if (way.size() == kLongestWay) return;
@@ -256,12 +254,23 @@ class Extraction {
         for (std::size_t n = 0; n < out_.nodes.size(); ++n) {
             if (out_.nodes[n].ink) walk(static_cast<int>(n), static_cast<int>(n));
         }
-        std::vector<JointEdge> kept(
-            out_.edges.begin(), out_.edges.begin() + static_cast<std::ptrdiff_t>(out_.inkEdges));
-        for (std::size_t e = out_.inkEdges; e < out_.edges.size(); ++e) {
-            if (out_.edges[e].way > 0) kept.push_back(std::move(out_.edges[e]));
+        std::vector<int> number(out_.edges.size(), -1);
+        for (const auto& w : ways) {
+            for (const int e : w) number[at(e)] = 0;
+        }
+        std::vector<JointEdge> kept;
+        for (std::size_t e = 0; e < out_.edges.size(); ++e) {
+            if (e >= out_.inkEdges && number[e] < 0) continue;
+            number[e] = static_cast<int>(kept.size());
+            kept.push_back(std::move(out_.edges[e]));
         }
         out_.edges = std::move(kept);
+        for (std::vector<int> w : ways) {
+            for (int& e : w) e = number[at(e)];
+            out_.ways.push_back(std::move(w));
+        }
+        std::stable_sort(out_.ways.begin(), out_.ways.end(),
+                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
     }
 
     static constexpr std::size_t kLongestWay = 3;

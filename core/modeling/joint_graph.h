@@ -24,7 +24,6 @@ struct JointEdge {
     int modelEdge = -1;             ///< of the solid; -1: ink
     std::vector<LinePiece> pieces;  ///< ink: stretches of `lines`, in order
     double redrawn = 0.0;           ///< model: share of it that a stroke ran along
-    int way = 0;                    ///< model: edges on the shortest way that it belongs to
 };
 
 /// T-EXTRACT (paper 4.1.2): the strokes, joined among themselves and with the visible edges of the
@@ -35,8 +34,10 @@ struct JointGraph {
     std::vector<JointNode> nodes;
     std::vector<JointEdge> edges;  ///< ink first
     std::size_t inkEdges = 0;
-    bool touches = false;  ///< some stroke meets the solid
-    bool redraws = false;  ///< some stroke runs along a model edge
+    std::vector<std::vector<int>> ways;  ///< edges, ascending: each way over model edges from one
+                                         ///< place where strokes meet the solid to the next
+    bool touches = false;                ///< some stroke meets the solid
+    bool redraws = false;                ///< some stroke runs along a model edge
 };
 
 struct ExtractOptions {
@@ -57,8 +58,10 @@ struct JointReading {
     int modelEdges = 0;             ///< extracted edges used
 };
 
-/// All ways to close the strokes with extracted edges to a connected graph whose shape is known,
-/// those that leave out the least ink first. At most `limit`.
+/// Ways to close the strokes with extracted edges to a connected graph whose shape is known, those
+/// that leave out the least ink first; at most `limit`. Best-first search: an open end of ink goes
+/// on along a way over model edges or is left out, then further ways may join what is closed
+/// already. Cost: at most some hundred choices of edges.
 std::vector<JointReading> closedReadings(const JointGraph& joint,
                                          const std::function<bool(const PlaneGraph&)>& known,
                                          double distancePx, std::size_t limit);

@@ -124,11 +124,12 @@ class Placer {
         }
     }
 
-    void addPlaces(Anchors& anchors, ToolSpec& tool, const FacePairs& pairs) const {
+    void addPlaces(Anchors& anchors, ToolSpec& tool, const FacePairs& pairs,
+                   const std::set<int>& loose) const {
         for (std::size_t j = 0; j < reading_.junctionNode.size(); ++j) {
             const int v = match_.vertex[j];
             const JointNode& node = joint_.nodes[at(reading_.junctionNode[j])];
-            if (v < 0) continue;
+            if (v < 0 || loose.contains(v)) continue;
             const std::vector<int> faces = facesOf(pairs, v);
             if (faces.empty()) continue;
             const auto inAll = [&](auto&& test) {
@@ -153,6 +154,7 @@ class Placer {
     struct Relations {
         bool perpendicular = true;
         bool parallel = true;
+        std::set<int> loose;  ///< template vertices that are near places of the model by chance
     };
 
     SolverRelations relationsFor(const DirectionAssignment& directions,
@@ -175,10 +177,16 @@ class Placer {
         return r;
     }
 
+    struct Best {
+        std::optional<Placement> placed;
+        DirectionAssignment directions;
+        Relations keep;
+    };
+
     /// Tries directions of the model, the most obvious first; the cheapest explanation counts.
     void attempt(const FacePairs& pairs, Operation operation) {
         if (!distinctPlanes(pairs)) return;
-        constexpr std::size_t kMostAssignments = 24;
+        constexpr std::size_t kMostAssignments = 40;
         constexpr int kMostIterated = 5;
         const auto assignments = directionAssignments(
             reading_, match_, model_, pairs, {options_.thresholds.angleDeg, options_.noisePx},
@@ -193,10 +201,12 @@ class Placer {
             // What agrees with the ink needs no second opinion.
             if (best.placed && agrees(*best.placed)) break;
         }
+        if (!(best.placed && agrees(*best.placed))) loosen(pairs, operation, assignments, best);
         if (!options_.plain && !(best.placed && agrees(*best.placed))) {
             DirectionAssignment none;
             none.byClass.resize(at(analysis_.classCount));
-            for (const Relations& keep : {Relations{false, true}, Relations{false, false}}) {
+            for (const Relations& keep :
+                 {Relations{false, true, {}}, Relations{false, false, {}}}) {
                 consider(pairs, operation, none, keep, best);
             }
         }
@@ -206,11 +216,42 @@ class Placer {
         out_.push_back(std::move(*best.placed));
     }
 
-    struct Best {
-        std::optional<Placement> placed;
-        DirectionAssignment directions;
-        Relations keep;
-    };
+    /// What was drawn near an edge or a corner of the solid need not be meant to lie there: tries
+    /// without each of these places, and without all.
+    void loosen(const FacePairs& pairs, Operation operation,
+                const std::vector<DirectionAssignment>& assignments, Best& best) const {
+        constexpr std::size_t kMostDirections = 6;
+        std::vector<std::set<int>> choices(1);
+        for (std::size_t j = 0; j < reading_.junctionNode.size(); ++j) {
+            const int v = match_.vertex[j];
+            const JointNode& node = joint_.nodes[at(reading_.junctionNode[j])];
+            if (v < 0 || (node.modelVertex < 0 && node.modelEdge < 0)) continue;
+            if (facesOf(pairs, v).empty() || !byChance(static_cast<int>(j))) continue;
+            choices.push_back({v});
+            choices.front().insert(v);
+        }
+        if (choices.size() == 2) choices.pop_back();
+        if (choices.front().empty()) return;
+        for (const std::set<int>& loose : choices) {
+            std::size_t tried = 0;
+            for (const DirectionAssignment& a : assignments) {
+                if (!isLinear(tmpl_, analysis_, a.known())) continue;
+                if (++tried > kMostDirections) break;
+                consider(pairs, operation, a, {true, true, loose}, best);
+                if (best.placed && agrees(*best.placed)) return;
+            }
+        }
+    }
+
+    /// No edge of the model that is part of the reading ends at this junction.
+    bool byChance(int junction) const {
+        for (std::size_t e = 0; e < reading_.graph.edges.size(); ++e) {
+            const auto& ends = reading_.graph.edges[e].ends;
+            const bool here = ends[0] == junction || ends[1] == junction;
+            if (here && reading_.edgeModel[e] >= 0) return false;
+        }
+        return true;
+    }
 
     bool agrees(const Placement& p) const {
         return p.misfit <= static_cast<double>(sighting_.edges.size());
@@ -245,7 +286,7 @@ class Placer {
         out.operation = operation;
         out.coinciding = pairs;
         addPlanes(anchors, pairs);
-        addPlaces(anchors, out.tool, pairs);
+        addPlaces(anchors, out.tool, pairs, keep.loose);
         for (std::size_t e = 0; e < analysis_.edges.size(); ++e) {
             const auto& d = directions.byClass[at(analysis_.edges[e].directionClass)];
             if (!d) continue;

@@ -13,6 +13,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double kRadian = 180.0 / std::numbers::pi;
 constexpr std::size_t kMostChoices = 3;
+constexpr double kSteadiestDeg = 0.2;  // nobody draws directions better
 
 /// What is drawn of a direction class.
 struct DrawnClass {
@@ -98,9 +99,8 @@ class Chooser {
             const double off = std::abs(std::remainder(angle - drawn, std::numbers::pi)) * kRadian;
             if (off > options_.angleDeg + excuse) continue;
             // How far off is said by the ink once more when it is solved, so here it only sorts.
-            const double spread = 1.0 + 2.0 * excuse;
             const double cost = c.inFaces.empty() && !upright(d) ? tol::kSlantCost : 0.0;
-            out.push_back({d, off / spread + cost, cost});
+            out.push_back({d, off / (kSteadiestDeg + 0.5 * excuse) + cost, cost});
         }
         return out;
     }

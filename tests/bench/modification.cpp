@@ -5,8 +5,8 @@
 //   modification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I] [--threads T]
 //                [--dump DIR] [--reasons] [--list]
 //
-// N drawings a case, from five cameras in turn. A case's drawing is left out where a line is
-// shorter than two distance thresholds. Deterministic in the seed; times are not.
+// N drawings a case, in turn from the first five cameras from which it is legible. Deterministic in
+// the seed; times are not.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -53,10 +53,11 @@ constexpr std::array<double, 4> kVolume{1e-6, 0.08, 0.15, 0.30};
 /// What coincides within the distance threshold is snapped, which no drawing can tell apart.
 constexpr double kSnappingPx = 14.0;
 
+constexpr std::size_t kMostViews = 5;
+
 struct Row {
     std::string name;
     std::vector<ModificationCase> views;  ///< legible ones
-    int leftOut = 0;
 };
 
 std::vector<Row> allRows(const Options& options) {
@@ -67,12 +68,9 @@ std::vector<Row> allRows(const Options& options) {
             const std::string name = c.scene + ": " + c.name;
             if (name.find(options.only) == std::string::npos) continue;
             const auto [it, added] = known.emplace(name, rows.size());
-            if (added) rows.push_back({name, {}, 0});
-            if (c.legible()) {
-                rows[it->second].views.push_back(std::move(c));
-            } else {
-                ++rows[it->second].leftOut;
-            }
+            if (added) rows.push_back({name, {}});
+            auto& views = rows[it->second].views;
+            if (views.size() < kMostViews && c.legible()) views.push_back(std::move(c));
         }
     };
     for (int view = 0; view < kModificationViews; ++view) {
@@ -222,7 +220,7 @@ void print(const std::vector<Row>& rows, const std::vector<Job>& jobs) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
         std::printf("%-48s", rows[r].name.c_str());
         for (std::size_t l = 0; l < kLevels.size(); ++l) cell(cells[{r, l}]);
-        if (rows[r].leftOut > 0) {
+        if (rows[r].views.size() < kMostViews) {
             std::printf("  from %zu cameras", rows[r].views.size());
         }
         std::printf("\n");
@@ -315,13 +313,17 @@ int run(const Options& options) {
         }
         return 0;
     }
+    for (const Row& r : rows) {
+        if (r.views.empty()) std::printf("legible from nowhere: %s\n", r.name.c_str());
+    }
     std::erase_if(rows, [](const Row& r) { return r.views.empty(); });
     std::vector<Job> jobs;
     for (std::size_t r = 0; r < rows.size(); ++r) {
         for (std::size_t l = 0; l < kLevels.size(); ++l) {
             if (!options.level.empty() && options.level != kLevels[l].name) continue;
             // An exact drawing differs in its cutting into strokes only.
-            const int n = l == 0 ? std::min(options.count, 2 * kModificationViews) : options.count;
+            const int n =
+                l == 0 ? std::min(options.count, static_cast<int>(2 * kMostViews)) : options.count;
             for (int i = 0; i < n; ++i) {
                 if (options.index < 0 || options.index == i) jobs.push_back({r, l, i, {}});
             }

@@ -20,14 +20,16 @@ class CaseList {
           target_{target, pose},
           camera_(modificationCamera(view, center, pose)) {}
 
-    /// Lines empty: those that are new and visible.
+    /// Lines empty: those that are new and visible. Where fewer than `least` are, they do not tell
+    /// what is meant (the depth of a pocket whose bottom is hidden).
     void add(const std::string& name, Operation op, const std::string& templateId,
-             const PolyhedronSpec& tool, Lines3 lines = {}) {
+             const PolyhedronSpec& tool, Lines3 lines = {}, std::size_t least = 1) {
         ModificationCase c{scene_, name, view_, target_, camera_, op, templateId, std::move(lines)};
         const auto result = combine(target_.solid, solidOf(tool),
                                     op == Operation::Add ? BooleanKind::Add : BooleanKind::Cut);
         if (!result) throw std::runtime_error(name + ": " + result.error().message);
         if (c.lines.empty()) c.lines = newVisibleLines(target_, result->solid, camera_);
+        c.told = c.lines.size() >= least;
         c.volume = result->solid.volume();
         c.vertices = static_cast<int>(result->solid.vertices().size());
         c.edges = static_cast<int>(result->solid.edges().size());

@@ -24,14 +24,16 @@ struct ModificationCase {
     Lines3 lines;                            ///< what is drawn, body frame [mm]
     double volume = 0.0;                     ///< of the result [mm^3]
     int vertices = 0, edges = 0, faces = 0;  ///< of the result
+    bool told = true;                        ///< the lines say all that is needed
 
-    /// Nobody can tell from the drawing what is meant: a line is shorter than two thresholds.
+    /// A person could tell what is meant: no line is shorter than two distance thresholds, and what
+    /// is apart is so by more than one.
     bool legible() const;
 };
 
 /// Cameras that see the front, the right and the upper side of a solid that is about 80 mm wide,
 /// the whole of it about 400 px wide; the first is the default one.
-inline constexpr int kModificationViews = 5;
+inline constexpr int kModificationViews = 14;
 OrthographicCamera modificationCamera(int view, const Vec3& center, const Pose& pose = {});
 
 /// The cases on a box of 80 x 60 x 40 mm (corner in the origin) in some pose. Their lines are those

@@ -29,9 +29,10 @@ void addWallCases(std::vector<ModificationCase>& all, int view) {
     cases.add("ramp over the whole width", add, "triangular-prism",
               prismSpec({V(0, 0, 20), V(0, 40, 20), V(0, 40, 45)}, V(80, 0, 0)));
     cases.add("box against the wall", add, "cube", boxSpec(V(20, 15, 20), V(50, 40, 40)));
-    cases.add("box on the wall", add, "cube", boxSpec(V(20, 20, 30), V(55, 40, 45)));
+    cases.add("box on the wall", add, "cube", boxSpec(V(20, 22, 38), V(55, 40, 50)));
     cases.add("box that makes the step higher", add, "cube", boxSpec(V(0, 0, 20), V(80, 40, 35)));
-    cases.add("pocket at the foot of the wall", cut, "cube", boxSpec(V(20, 15, 5), V(60, 40, 20)));
+    cases.add("pocket at the foot of the wall", cut, "cube", boxSpec(V(20, 15, 5), V(60, 40, 20)),
+              {}, 7);
     for (ModificationCase& c : cases.take()) all.push_back(std::move(c));
 }
 
@@ -65,24 +66,28 @@ void addCrackCases(std::vector<ModificationCase>& all, int view) {
               slotLines(15));
     for (ModificationCase& c : slots.take()) all.push_back(std::move(c));
 
+    // What the hollows do to each other is not drawn.
+    const auto asOnPlain = [&](const PolyhedronSpec& tool) {
+        return newVisibleLines({solidOf(box), {}},
+                               changed(solidOf(box), {{BooleanKind::Cut, tool}}),
+                               modificationCamera(view, V(40, 30, 20)));
+    };
+    const PolyhedronSpec side = boxSpec(V(60, 10, 5), V(80, 52, 34));
     CaseList hollow(
         "hollow box",
-        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(15, 15, 20), V(50, 45, 40))}}),
+        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(30, 15, 20), V(68, 45, 40))}}),
         V(40, 30, 20), view);
-    hollow.add("pocket into the pocket", cut, "cube", boxSpec(V(40, 15, 8), V(80, 50, 30)));
+    hollow.add("pocket into the pocket", cut, "cube", side, asOnPlain(side), 7);
     for (ModificationCase& c : hollow.take()) all.push_back(std::move(c));
 
     // The groove in the front breaks through the wall of the pocket, out of sight from above.
-    const PolyhedronSpec pocket = boxSpec(V(20, 8, 14), V(60, 48, 40));
+    const PolyhedronSpec pocket = boxSpec(V(15, 8, 18), V(65, 52, 40));
     CaseList groove(
         "grooved box",
         changed(solidOf(box), {{BooleanKind::Cut,
                                 prismSpec({V(0, 0, 15), V(0, 15, 20), V(0, 0, 25)}, V(80, 0, 0))}}),
         V(40, 30, 20), view);
-    groove.add(
-        "pocket into the groove", cut, "cube", pocket,
-        newVisibleLines({solidOf(box), {}}, changed(solidOf(box), {{BooleanKind::Cut, pocket}}),
-                        modificationCamera(view, V(40, 30, 20))));
+    groove.add("pocket into the groove", cut, "cube", pocket, asOnPlain(pocket), 7);
     for (ModificationCase& c : groove.take()) all.push_back(std::move(c));
 
     CaseList boss(
@@ -101,10 +106,10 @@ std::vector<ModificationCase> prismModifications(int view) {
     CaseList cases("prism", target, V(45, 40, 18), view);
     cases.add("box on the slope", add, "cube", slopeBox(25, 60, 20, 55, 15));
     cases.add("box over the whole slope", add, "cube", slopeBox(0, 90, 0, 75, 15));
-    cases.add("pocket in the slope", cut, "cube", slopeBox(20, 65, 15, 60, -15));
+    cases.add("pocket in the slope", cut, "cube", slopeBox(20, 65, 15, 60, -15), {}, 7);
     cases.add("notch in the slope's edge", cut, "cube", slopeBox(60, 90, 25, 50, -15));
-    cases.add("slot up the slope", cut, "cube", slopeBox(30, 60, 0, 75, -10));
-    cases.add("box on the end", add, "cube", boxSpec(V(90, 40, 5), V(110, 65, 25)));
+    cases.add("slot along the slope", cut, "cube", slopeBox(0, 90, 25, 50, -10));
+    cases.add("box on the end", add, "cube", boxSpec(V(90, 42, 7), V(110, 64, 22)));
     cases.add("corner cut by a triangle", cut, "triangular-pyramid",
               pyramidSpec(onSlope(90, 0), onSlope(60, 0), onSlope(90, 35), V(90, 30, 0)));
     cases.add(
