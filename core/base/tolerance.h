@@ -301,6 +301,10 @@ inline constexpr double kLinearRank = 1e-9;
 inline constexpr double kSlantCost = 3.0;
 inline constexpr double kSkewCost = 6.0;
 
+/// A change of a solid whose line ends miss it by so many variances on average needs no other look
+/// at the strokes; one by so many no other directions than the model's.
+inline constexpr double kPlainMisfit = 0.5;
+inline constexpr double kUnderstoodMisfit = 2.0;
 /// Ink that turns by more than this where it meets an edge or a corner of the solid may be bent
 /// there, over the edge [degrees].
 inline constexpr double kFoldDeg = 3.0;

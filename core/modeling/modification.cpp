@@ -78,31 +78,38 @@ class Modification {
     void read(const ModelView& view, int body) {
         static const std::vector<ReadingOptions> kReadings{
             {}, {1.0, 1.3, 0.7}, {0.72, 0.6, 0.2}, {1.3, 1.0, 0.4, 1.8}};
+        // What fits with the model's directions is quick to find and needs no other.
+        std::vector<std::vector<Match>> looks;
         for (std::size_t i = 0; i < kReadings.size(); ++i) {
             // Reaching past the distance threshold is for unsteady hands.
             const double spread = tol::kSpreadPerWobble * ink_.wobblePx;
             if (kReadings[i].joinScale > 1.0 && spread < 0.25 * distance_) continue;
             const double price = i == 0 ? 0.0 : tol::kSecondLookCost;
-            std::vector<Match> matches;
+            std::vector<Match>& matches = looks.emplace_back();
             if (readJoint(view, {options_.thresholds, kReadings[i]}, price, matches)) {
                 // A line beside a model edge may be one of its own.
                 readJoint(view, {options_.thresholds, kReadings[i], false},
                           price + tol::kSecondLookCost, matches);
             }
-            // What fits with the model's directions needs no other.
             place(matches, view, body, true);
-            if (understood()) break;
+            if (understood(tol::kPlainMisfit)) return;
+        }
+        if (understood(tol::kUnderstoodMisfit)) return;
+        for (const auto& matches : looks) {
             place(matches, view, body, false);
-            if (understood()) break;
+            if (understood(tol::kUnderstoodMisfit)) return;
         }
     }
 
-    /// Does some option explain all of the ink closely?
-    bool understood() const {
-        return std::any_of(found_.begin(), found_.end(), [&](const Option& o) {
-            return o.leftOutPx < distance_ &&
-                   o.placement.misfit <= 4.0 * static_cast<double>(o.graph.edges.size());
-        });
+    /// Does the best option explain all of the ink closely?
+    /// \param misfit  at most, on average over its line ends.
+    bool understood(double misfit) const {
+        const auto best =
+            std::min_element(found_.begin(), found_.end(),
+                             [](const Option& a, const Option& b) { return a.cost < b.cost; });
+        return best != found_.end() && best->leftOutPx < distance_ &&
+               best->placement.misfit <=
+                   2.0 * misfit * static_cast<double>(best->graph.edges.size());
     }
 
     /// True where strokes were taken for model edges.
