@@ -39,6 +39,33 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double pas
     return (p - a - t * d).norm();
 }
 
+/// Standard deviation per axis of where strokes end that aim at one place, by the ends of different
+/// strokes that lie together [px]; 0 where none do.
+double endSpread(const std::vector<Segment>& segments, double distancePx) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        for (const Vec2& p : {segments[i].a, segments[i].b}) {
+            double least = distancePx * distancePx;
+            bool found = false;
+            for (std::size_t j = 0; j < segments.size(); ++j) {
+                if (segments[j].stroke == segments[i].stroke) continue;
+                for (const Vec2& q : {segments[j].a, segments[j].b}) {
+                    if ((p - q).squaredNorm() > least) continue;
+                    least = (p - q).squaredNorm();
+                    found = true;
+                }
+            }
+            if (found) squares.push_back(least);
+        }
+    }
+    if (squares.empty()) return 0.0;
+    // Half of the pairs lie within 2.77 variances per axis of the difference of two ends, which has
+    // twice the variance of one: the median is not misled by ends that meet by chance.
+    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+    std::nth_element(squares.begin(), middle, squares.end());
+    return std::sqrt(*middle / 2.77);
+}
+
 class Modification {
   public:
     Modification(const InkReading& ink, const TemplateLibrary& library,
@@ -47,7 +74,9 @@ class Modification {
           index_(onSolidIndex(library.index())),
           options_(options),
           distance_(options.thresholds.distancePx) {
-        noise_ = std::max(tol::kNoiseFloorPx, tol::kMissPerWobble * ink.wobblePx);
+        noise_ = std::max({tol::kNoiseFloorPx, tol::kMissPerWobble * ink.wobblePx,
+                           endSpread(ink.segments, distance_)});
+        spread_ = tol::kSpreadPerWobble / tol::kMissPerWobble * noise_;
     }
 
     ModificationReading run() {
@@ -82,8 +111,7 @@ class Modification {
         std::vector<std::vector<Match>> looks;
         for (std::size_t i = 0; i < kReadings.size(); ++i) {
             // Reaching past the distance threshold is for unsteady hands.
-            const double spread = tol::kSpreadPerWobble * ink_.wobblePx;
-            if (kReadings[i].joinScale > 1.0 && spread < 0.25 * distance_) continue;
+            if (kReadings[i].joinScale > 1.0 && spread_ < 0.25 * distance_) continue;
             const double price = i == 0 ? 0.0 : tol::kSecondLookCost;
             std::vector<Match>& matches = looks.emplace_back();
             if (readJoint(view, {options_.thresholds, kReadings[i]}, price, matches)) {
@@ -126,7 +154,7 @@ class Modification {
         MatchOptions m;
         m.distancePx = distance_;
         m.templateId = options_.templateId;
-        m.spreadPx = tol::kSpreadPerWobble * ink_.wobblePx;
+        m.spreadPx = spread_;
         for (const JointReading& r : closedReadings(*joint, known, distance_, kMostReadings)) {
             for (GraphMatch& found : matchGraph(r.graph, index_, m)) {
                 const bool adds = found.aspect->kind == AspectKind::Explicit;
@@ -163,11 +191,13 @@ class Modification {
         for (const Segment& s : ink_.segments) {
             std::size_t far = 0;
             for (const Vec2& q : s.points) {
-                const bool drawn = std::any_of(m.edge.begin(), m.edge.end(), [&](int e) {
-                    const auto& ends = m.entry->analysis.edges[at(e)].ends;
-                    return distanceToSegment(q, p.points[at(ends[0])].head<2>(),
-                                             p.points[at(ends[1])].head<2>(), distance_) <= near;
-                });
+                const auto& edges = m.entry->analysis.edges;
+                const bool drawn =
+                    std::any_of(edges.begin(), edges.end(), [&](const AnalysedEdge& e) {
+                        return distanceToSegment(q, p.points[at(e.ends[0])].head<2>(),
+                                                 p.points[at(e.ends[1])].head<2>(),
+                                                 distance_) <= near;
+                    });
                 const bool redrawn =
                     !drawn && std::any_of(view.pieces().begin(), view.pieces().end(),
                                           [&](const VisiblePiece& v) {
@@ -319,7 +349,8 @@ class Modification {
     const LibraryIndex& index_;
     const InterpretOptions& options_;
     double distance_;
-    double noise_ = 1.0;
+    double noise_ = 1.0;   ///< how far this hand's line ends miss, per axis [px]
+    double spread_ = 1.4;  ///< and two of them each other
     std::vector<Option> found_;
     std::vector<int> shells_;
     std::optional<Error> problem_;
