@@ -11,6 +11,7 @@
 #include "core/base/tolerance.h"
 #include "core/modeling/anchor_start.h"
 #include "core/modeling/placement_directions.h"
+#include "core/modeling/placement_faces.h"
 
 namespace ew {
 namespace {
@@ -41,12 +42,14 @@ class Placer {
                 const int ti = static_cast<int>(t);
                 const auto& seen = match_.aspect->visibleFaces;
                 if (std::find(seen.begin(), seen.end(), ti) != seen.end()) continue;
-                for (const int f : facesUnder(ti, true)) attempt({{ti, f}}, Operation::Add);
+                for (const int f : facesUnder(ti, reading_, match_, model_, sighting_, true))
+                    attempt({{ti, f}}, Operation::Add);
             }
         } else {
             FacePairs pairs;
             for (const int t : match_.aspect->mouth) {
-                const std::vector<int> faces = facesUnder(t, false);
+                const std::vector<int> faces =
+                    facesUnder(t, reading_, match_, model_, sighting_, false);
                 if (faces.empty()) return {};
                 pairs.push_back({t, faces.front()});
             }
@@ -58,44 +61,6 @@ class Placer {
     }
 
   private:
-    /// Faces of the solid that a template face may lie in, those with the most evidence first.
-    std::vector<int> facesUnder(int t, bool outside) const {
-        constexpr double kAsidePx = 4.0;
-        Vec2 middle = Vec2::Zero();
-        int count = 0;
-        for (const int v : tmpl_.shape.faces[at(t)]) {
-            if (!sighting_.seen[at(v)]) continue;
-            middle += sighting_.vertexPx[at(v)];
-            ++count;
-        }
-        if (count > 0) middle /= count;
-        std::map<int, int> votes;
-        for (std::size_t g = 0; g < reading_.graph.edges.size(); ++g) {
-            const auto& faces = analysis_.edges[at(match_.edge[g])].faces;
-            if (faces[0] != t && faces[1] != t) continue;
-            if (const int m = reading_.edgeModel[g]; m >= 0) {
-                for (const int f : model_.solid().edges()[at(m)].faces) votes[f] += 2;
-            }
-            const GraphEdge& e = reading_.graph.edges[g];
-            for (const double share : {0.3, 0.5, 0.7}) {
-                const Vec2 p = (1 - share) * e.tips[0] + share * e.tips[1];
-                const Vec2 d = (e.tips[1] - e.tips[0]).normalized();
-                Vec2 aside(-d.y(), d.x());
-                const bool away = aside.dot(p - (outside ? center_ : middle)) > 0;
-                if (away != outside) aside = -aside;
-                if (const auto f = model_.faceAt(p + kAsidePx * aside)) ++votes[*f];
-            }
-        }
-        std::vector<int> faces;
-        for (const auto& [f, n] : votes) {
-            if (model_.view().facing(f) == Facing::Front) faces.push_back(f);
-        }
-        std::stable_sort(faces.begin(), faces.end(),
-                         [&](int a, int b) { return votes[a] > votes[b]; });
-        if (faces.size() > 3) faces.resize(3);
-        return faces;
-    }
-
     bool coincides(const FacePairs& pairs, int templateFace) const {
         return std::any_of(pairs.begin(), pairs.end(),
                            [&](const auto& p) { return p[0] == templateFace; });
@@ -154,7 +119,9 @@ class Placer {
     struct Relations {
         bool perpendicular = true;
         bool parallel = true;
-        std::set<int> loose;  ///< template vertices that are near places of the model by chance
+        std::set<int> loose =
+            {};                ///< template vertices that are near places of the model by chance
+        bool regular = false;  ///< edges as long as each other in the reference shape are so
     };
 
     SolverRelations relationsFor(const DirectionAssignment& directions,
@@ -169,6 +136,7 @@ class Placer {
                 if (!given(group.front())) r.parallel.push_back(group);
             }
         }
+        if (keep.regular) r.equalLength = equalInReference();
         if (!keep.perpendicular) return r;
         for (const auto& pair : all.perpendicular) {
             // What the model says of two directions stands above the template.
@@ -205,15 +173,38 @@ class Placer {
         if (!options_.plain && !(best.placed && agrees(*best.placed))) {
             DirectionAssignment none;
             none.byClass.resize(at(analysis_.classCount));
-            for (const Relations& keep :
-                 {Relations{false, true, {}}, Relations{false, false, {}}}) {
+            for (const Relations& keep : {Relations{false, true}, Relations{false, false}}) {
                 consider(pairs, operation, none, keep, best);
             }
+        }
+        // A body whose picture leaves something open is regular where it can be.
+        if (best.placed && best.placed->open > 0 && operation == Operation::Add) {
+            Relations regular = best.keep;
+            regular.regular = true;
+            consider(pairs, operation, best.directions, regular, best);
         }
         if (!best.placed) return;
         auto flush = snapFaces(*best.placed, best.directions, best.keep);
         if (flush && onItsSide(*flush)) best.placed = std::move(flush);
         out_.push_back(std::move(*best.placed));
+    }
+
+    std::vector<std::vector<int>> equalInReference() const {
+        std::vector<std::vector<int>> groups;
+        std::vector<double> lengths;
+        for (std::size_t e = 0; e < analysis_.edges.size(); ++e) {
+            const auto& ends = analysis_.edges[e].ends;
+            const double len =
+                (tmpl_.shape.vertices[at(ends[1])] - tmpl_.shape.vertices[at(ends[0])]).norm();
+            std::size_t g = 0;
+            while (g < groups.size() && std::abs(len - lengths[g]) > 1e-9 * len) ++g;
+            if (g == groups.size()) {
+                groups.emplace_back();
+                lengths.push_back(len);
+            }
+            groups[g].push_back(static_cast<int>(e));
+        }
+        return groups;
     }
 
     /// What was drawn near an edge or a corner of the solid need not be meant to lie there: tries
@@ -237,7 +228,7 @@ class Placer {
             for (const DirectionAssignment& a : assignments) {
                 if (!isLinear(tmpl_, analysis_, a.known())) continue;
                 if (++tried > kMostDirections) break;
-                consider(pairs, operation, a, {true, true, loose}, best);
+                consider(pairs, operation, a, Relations{true, true, loose}, best);
                 if (best.placed && agrees(*best.placed)) return;
             }
         }
@@ -315,7 +306,8 @@ class Placer {
                                           const DirectionAssignment& directions,
                                           const Relations& keep, Operation operation) const {
         const KnownDirections known = directions.known();
-        if (keep.perpendicular && keep.parallel && isLinear(tmpl_, analysis_, known)) {
+        if (keep.perpendicular && keep.parallel && !keep.regular &&
+            isLinear(tmpl_, analysis_, known)) {
             auto linear = solveLinearly(tmpl_, analysis_, sighting_, anchors, known);
             if (!linear || linear->freedoms == 0 || operation == Operation::Cut) return linear;
         }

@@ -81,11 +81,11 @@ void addCrackCases(std::vector<ModificationCase>& all, int view) {
     for (ModificationCase& c : hollow.take()) all.push_back(std::move(c));
 
     // The groove in the front breaks through the wall of the pocket, out of sight from above.
-    const PolyhedronSpec pocket = boxSpec(V(15, 8, 18), V(65, 52, 40));
+    const PolyhedronSpec pocket = boxSpec(V(15, 8, 20), V(65, 52, 40));
     CaseList groove(
         "grooved box",
         changed(solidOf(box), {{BooleanKind::Cut,
-                                prismSpec({V(0, 0, 15), V(0, 15, 20), V(0, 0, 25)}, V(80, 0, 0))}}),
+                                prismSpec({V(0, 0, 26), V(0, 15, 31), V(0, 0, 36)}, V(80, 0, 0))}}),
         V(40, 30, 20), view);
     groove.add("pocket into the groove", cut, "cube", pocket, asOnPlain(pocket), 7);
     for (ModificationCase& c : groove.take()) all.push_back(std::move(c));
