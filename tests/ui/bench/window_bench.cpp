@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
     ew::prepareApplication();
     QApplication application(argc, argv);
     ew::nameApplication();
+    if (!ew::chooseLanguage("en")) return 2;
     benchmark::Initialize(&argc, argv);
     const auto load = ew::loadTemplates();
     if (!load) {
