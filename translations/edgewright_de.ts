@@ -2,6 +2,409 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>Core</name>
+    <message>
+        <source>A line ends %1 from what it should meet (the distance threshold is %2).</source>
+        <translation>Eine Linie endet %1 vor dem, was sie treffen sollte (die Abstandsschwelle ist %2).</translation>
+    </message>
+    <message>
+        <source>%1 line ends meet nothing; the nearest gap is %2 (the distance threshold is %3).</source>
+        <translation>%1 Linienenden treffen nichts; die kleinste Lücke ist %2 (die Abstandsschwelle ist %3).</translation>
+    </message>
+    <message>
+        <source>The lines enclose nothing: a solid needs closed outlines.</source>
+        <translation>Die Linien schließen nichts ein: Ein Körper braucht geschlossene Umrisse.</translation>
+    </message>
+    <message>
+        <source>This is a curve; solids are drawn with straight lines (round them afterwards).</source>
+        <translation>Das ist eine Kurve; Körper werden mit geraden Linien gezeichnet (und danach gerundet).</translation>
+    </message>
+    <message>
+        <source>This looks like a scribble; no straight lines were found in it.</source>
+        <translation>Das sieht nach Gekritzel aus; gerade Linien wurden darin nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>There are only dots here; draw the edges of a solid.</source>
+        <translation>Hier sind nur Punkte; zu zeichnen sind die Kanten eines Körpers.</translation>
+    </message>
+    <message>
+        <source>These are %1 separate drawings; apply them one at a time.</source>
+        <translation>Das sind %1 getrennte Zeichnungen; sie gehören einzeln angewendet.</translation>
+    </message>
+    <message>
+        <source>This corner cannot be right-angled: at a Y all three angles must be over 90 degrees, at an arrow both inner angles under 90 with a sum over 90.</source>
+        <translation>Diese Ecke kann nicht rechtwinklig sein: Bei einem Y müssen alle drei Winkel über 90 Grad liegen, bei einem Pfeil beide inneren unter 90 und zusammen über 90.</translation>
+    </message>
+    <message>
+        <source>Lines cross at %1 where no corner is; draw visible edges only, or drop a line.</source>
+        <translation>Linien kreuzen sich an %1 ohne Ecke; nur sichtbare Kanten zeichnen oder eine Linie verwerfen.</translation>
+    </message>
+    <message>
+        <source>This could be a %1, but an edge is %2 degrees off its parallels (the angle threshold is %3).</source>
+        <translation>Lesbar als %1, aber eine Kante weicht um %2 Grad von ihren Parallelen ab (die Winkelschwelle ist %3).</translation>
+    </message>
+    <message>
+        <source>The lines fit no %1 closely: they are %2 off on average.</source>
+        <translation>Als %1 passen die Linien schlecht: Sie liegen im Mittel %2 daneben.</translation>
+    </message>
+    <message>
+        <source>This could be a %1 or %2, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1 oder %2, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This could be a %1, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This could be %1, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4 und %5).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3, but the lines meet in another way.</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3, aber dort treffen sich die Linien anders.</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this.</source>
+        <translation>Keine Vorlage zeigt so %1 und %2.</translation>
+    </message>
+    <message>
+        <source>No template matches this drawing.</source>
+        <translation>Keine Vorlage passt zu dieser Zeichnung.</translation>
+    </message>
+    <message>
+        <source>These lines and the edges that they meet show no template on the solid.</source>
+        <translation>Diese Linien und die Kanten, die sie treffen, zeigen keine Vorlage am Körper.</translation>
+    </message>
+    <message>
+        <source>There is no template &quot;%1&quot; in the library.</source>
+        <translation>Es gibt keine Vorlage „%1“ in der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>There are %1 strokes; at most %2 are read at once.</source>
+        <translation>Das sind %1 Striche; höchstens %2 werden auf einmal gelesen.</translation>
+    </message>
+    <message>
+        <source>There are %1 pending strokes already; apply or clear them first.</source>
+        <translation>Es gibt schon %1 offene Striche; sie zuerst anwenden oder verwerfen.</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet.</source>
+        <translation>Es ist noch nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is no stroke within reach to erase.</source>
+        <translation>In Reichweite ist kein Strich zum Radieren.</translation>
+    </message>
+    <message>
+        <source>There is no solid to cut.</source>
+        <translation>Es gibt keinen Körper, von dem etwas abzuziehen wäre.</translation>
+    </message>
+    <message>
+        <source>There is no solid to add to.</source>
+        <translation>Es gibt keinen Körper, dem etwas hinzuzufügen wäre.</translation>
+    </message>
+    <message>
+        <source>There is no solid to delete.</source>
+        <translation>Es gibt keinen Körper zum Löschen.</translation>
+    </message>
+    <message>
+        <source>There is no solid to export yet.</source>
+        <translation>Es gibt noch keinen Körper zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>There is no solid to make a template from.</source>
+        <translation>Es gibt keinen Körper, aus dem eine Vorlage werden könnte.</translation>
+    </message>
+    <message>
+        <source>A template&apos;s faces have no holes; this solid&apos;s have.</source>
+        <translation>Die Flächen einer Vorlage haben keine Löcher; die dieses Körpers haben welche.</translation>
+    </message>
+    <message>
+        <source>This drawing cannot be read as that operation; let the program choose it.</source>
+        <translation>Die Zeichnung ist nicht als dieser Vorgang lesbar; die Wahl dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>The stroke to repair is gone.</source>
+        <translation>Der Strich, der zu beheben war, ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>There is no file at %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>The new part lies inside the solid: nothing would change.</source>
+        <translation>Das neue Teil liegt im Körper: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>The part to cut out lies beside the solid: nothing would change.</source>
+        <translation>Das abzuziehende Teil liegt neben dem Körper: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>The solid lies inside the part: nothing would change.</source>
+        <translation>Der Körper liegt im Teil: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>Nothing of the solid would be left.</source>
+        <translation>Vom Körper bliebe nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The two parts have nothing in common.</source>
+        <translation>Die beiden Teile haben nichts gemeinsam.</translation>
+    </message>
+    <message>
+        <source>The new part misses the solid by less than a hair; this would leave a gap or a splinter that nobody can see.</source>
+        <translation>Das neue Teil verfehlt den Körper um weniger als eine Haaresbreite; es bliebe ein Spalt oder Splitter, den niemand sieht.</translation>
+    </message>
+    <message>
+        <source>The solid would touch itself along an edge only. Make the new part a little larger or smaller.</source>
+        <translation>Der Körper würde sich nur entlang einer Kante berühren. Das neue Teil etwas größer oder kleiner zeichnen.</translation>
+    </message>
+    <message>
+        <source>The solid would touch itself in a point only. Make the new part a little larger or smaller.</source>
+        <translation>Der Körper würde sich nur in einem Punkt berühren. Das neue Teil etwas größer oder kleiner zeichnen.</translation>
+    </message>
+    <message>
+        <source>One edge that was not drawn was added.</source>
+        <translation>Eine Kante, die nicht gezeichnet war, wurde ergänzt.</translation>
+    </message>
+    <message>
+        <source>%1 edges that were not drawn were added.</source>
+        <translation>%1 Kanten, die nicht gezeichnet waren, wurden ergänzt.</translation>
+    </message>
+    <message>
+        <source>One line too many was left out.</source>
+        <translation>Eine überzählige Linie wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Parts that cannot be seen from here keep the template&apos;s proportions.</source>
+        <translation>Was von hier nicht zu sehen ist, behält die Maße der Vorlage.</translation>
+    </message>
+    <message>
+        <source>The corner has no exact solution; the nearest drawing that has one was taken.</source>
+        <translation>Die Ecke hat keine genaue Lösung; genommen wurde die nächste Zeichnung, die eine hat.</translation>
+    </message>
+    <message>
+        <source>Read as an oblique drawing: the front face is true, the depth is a choice.</source>
+        <translation>Gelesen als Schrägbild: Die Vorderseite stimmt, die Tiefe ist wählbar.</translation>
+    </message>
+    <message>
+        <source>The drawing leaves one measure open; the most regular shape was taken.</source>
+        <translation>Die Zeichnung lässt ein Maß offen; genommen wurde die regelmäßigste Form.</translation>
+    </message>
+    <message>
+        <source>The drawing leaves %1 measures open; the most regular shape was taken.</source>
+        <translation>Die Zeichnung lässt %1 Maße offen; genommen wurde die regelmäßigste Form.</translation>
+    </message>
+    <message>
+        <source>The solid falls into %1 separate pieces.</source>
+        <translation>Der Körper zerfällt in %1 Teile.</translation>
+    </message>
+    <message>
+        <source>Join these ends</source>
+        <translation>Diese Enden verbinden</translation>
+    </message>
+    <message>
+        <source>Raise the threshold to %1</source>
+        <translation>Schwelle auf %1 erhöhen</translation>
+    </message>
+    <message>
+        <source>Raise the angle threshold to %1 degrees</source>
+        <translation>Winkelschwelle auf %1 Grad erhöhen</translation>
+    </message>
+    <message>
+        <source>Drop this line</source>
+        <translation>Diese Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep the largest drawing</source>
+        <translation>Größte Zeichnung behalten</translation>
+    </message>
+    <message>
+        <source>Keep drawing %1</source>
+        <translation>Zeichnung %1 behalten</translation>
+    </message>
+    <message>
+        <source>Take it as a %1 all the same</source>
+        <translation>Trotzdem nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Take the %1</source>
+        <translation>Nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Take: %1</source>
+        <translation>Nehmen: %1</translation>
+    </message>
+    <message>
+        <source>adding a %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>cutting a %1</source>
+        <translation>%1 abziehen</translation>
+    </message>
+    <message>
+        <source>belongs to no region</source>
+        <translation>gehört zu keinem Gebiet</translation>
+    </message>
+    <message>
+        <source>a dot</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>a scribble</source>
+        <translation>Gekritzel</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>eine Kurve</translation>
+    </message>
+    <message>
+        <source>gap %1, threshold %2</source>
+        <translation>Lücke %1, Schwelle %2</translation>
+    </message>
+    <message>
+        <source>no right-angled corner looks like this</source>
+        <translation>so sieht keine rechtwinklige Ecke aus</translation>
+    </message>
+    <message>
+        <source>lines cross</source>
+        <translation>Linien kreuzen sich</translation>
+    </message>
+    <message>
+        <source>%1 degrees off its parallels</source>
+        <translation>%1 Grad neben den Parallelen</translation>
+    </message>
+    <message>
+        <source>%1 lines meet here</source>
+        <translation>%1 Linien treffen sich hier</translation>
+    </message>
+    <message>
+        <source>one place</source>
+        <translation>einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 Stellen</translation>
+    </message>
+    <message>
+        <source>one corner</source>
+        <translation>eine Ecke</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>one edge</source>
+        <translation>eine Kante</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 mehr</translation>
+    </message>
+    <message>
+        <source>%1 fewer</source>
+        <translation>%1 weniger</translation>
+    </message>
+    <message>
+        <source>Parallel projection</source>
+        <translation>Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Nearest parallel projection</source>
+        <translation>Nächste Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schrägbild</translation>
+    </message>
+    <message>
+        <source>Most regular</source>
+        <translation>Am regelmäßigsten</translation>
+    </message>
+    <message>
+        <source>Isosceles</source>
+        <translation>Gleichschenklig</translation>
+    </message>
+    <message>
+        <source>Right-angled</source>
+        <translation>Rechtwinklig</translation>
+    </message>
+    <message>
+        <source>Right-angled corner</source>
+        <translation>Rechtwinklige Ecke</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>A box: six rectangular faces, any proportions.</source>
+        <translation>Sechs rechteckige Flächen, beliebige Maße.</translation>
+    </message>
+    <message>
+        <source>L-prism</source>
+        <translation>L-Prisma</translation>
+    </message>
+    <message>
+        <source>A right prism over an L with right angles only.</source>
+        <translation>Ein gerades Prisma über einem L mit lauter rechten Winkeln.</translation>
+    </message>
+    <message>
+        <source>Triangular prism</source>
+        <translation>Dreiecksprisma</translation>
+    </message>
+    <message>
+        <source>A right prism over any triangle.</source>
+        <translation>Ein gerades Prisma über einem beliebigen Dreieck.</translation>
+    </message>
+    <message>
+        <source>Triangular pyramid</source>
+        <translation>Dreieckspyramide</translation>
+    </message>
+    <message>
+        <source>Four triangles, any shape.</source>
+        <translation>Vier Dreiecke, beliebige Form.</translation>
+    </message>
+    <message>
+        <source>Wedge frustum</source>
+        <translation>Pyramidenstumpf</translation>
+    </message>
+    <message>
+        <source>A rectangular pyramid with its top cut off parallel to the base.</source>
+        <translation>Eine rechteckige Pyramide, deren Spitze parallel zur Grundfläche abgeschnitten ist.</translation>
+    </message>
+    <message>
+        <source>This can be read as %1; choose one.</source>
+        <translation>Lesbar als %1; bitte auswählen.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>In five lines</source>
