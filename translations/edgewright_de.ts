@@ -523,7 +523,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
     <message>
         <source>Reading %1: %2, %3, fit %4 %</source>
-        <translation>Lesart %1: %2, %3, Übereinstimmung %4 %</translation>
+        <translation>Lesart %1: %2, %3, Passung %4 %</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -846,7 +846,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
     <message>
         <source>%1, fit %2 %, off by %3 px</source>
-        <translation>%1, Übereinstimmung %2 %, Abstand %3 px</translation>
+        <translation>%1, Passung %2 %, ±%3 px</translation>
     </message>
     <message>
         <source>Nearest: %1</source>

@@ -2,6 +2,7 @@
 #include "ui/panels/graph_panel.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include "ui/core_text.h"
@@ -55,7 +56,7 @@ void GraphPanel::refresh() {
         detail_->setText(tr("%1, fit %2 %, off by %3 px")
                              .arg(aspectText(c.aspect))
                              .arg(qRound(c.score * 100))
-                             .arg(c.residualPx, 0, 'f', 1));
+                             .arg(QLocale().toString(c.residualPx, 'f', 1)));
         return;
     }
     const int edges = static_cast<int>(r.graph.edges.size());
