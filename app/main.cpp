@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window. Usage: edgewright [FILE] [--theme light|dark] [--size WxH] [--screenshot FILE.png]
+// The window. Usage: edgewright [FILE] [--language de|en] [--theme light|dark] [--size WxH]
+// [--screenshot FILE.png]
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -22,6 +23,7 @@ namespace {
 
 struct Arguments {
     QString file;
+    QString language;
     QString theme;
     QSize size;
     QString screenshot;
@@ -35,12 +37,13 @@ int complain(const std::string& message) {
 
 ew::Result<Arguments> readArguments() {
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Turns pen strokes into solids."));
+    // Read before the language is known, so this is English like the messages on the terminal.
+    parser.setApplicationDescription("Turns pen strokes into solids.");
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument("FILE", "A document (.edgewright) or a sketch script (.json).",
                                  "[FILE]");
+    parser.addOption({"language", "de or en; otherwise the system's.", "CODE"});
     parser.addOption({"theme", "light, dark or system.", "NAME"});
     parser.addOption({"size", "Size of the window.", "WxH"});
     parser.addOption({"screenshot", "Write a picture of the window, then quit.", "FILE.png"});
@@ -50,6 +53,7 @@ ew::Result<Arguments> readArguments() {
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return ew::fail(ew::Errc::BadValue, "Only one file can be opened.");
     if (!files.isEmpty()) arguments.file = files.front();
+    arguments.language = parser.value("language");
     arguments.theme = parser.value("theme");
     if (!arguments.theme.isEmpty() && arguments.theme != "light" && arguments.theme != "dark" &&
         arguments.theme != "system") {
@@ -92,6 +96,9 @@ int main(int argc, char** argv) {
     ew::nameApplication();
     const auto arguments = readArguments();
     if (!arguments) return complain(arguments.error().message);
+    if (const auto ok = ew::chooseLanguage(arguments->language); !ok) {
+        return complain(ok.error().message);
+    }
     const auto load = ew::loadTemplates();
     if (!load) return complain(load.error().message);
 

@@ -20,17 +20,13 @@ namespace ew {
 
 namespace {
 
-/// The language of the system where there is a file for it, else English.
-void installTranslation(const QString& name, const QString& folder) {
+bool installTranslation(const QLocale& locale, const QString& name, const QString& folder) {
     auto* translator = new QTranslator(qApp);
-    const bool found =
-        translator->load(QLocale(), name, QStringLiteral("_"), folder) ||
-        translator->load(QLocale(QLocale::English), name, QStringLiteral("_"), folder);
-    if (found) {
-        QCoreApplication::installTranslator(translator);
-    } else {
-        delete translator;
+    if (translator->load(locale, name, QStringLiteral("_"), folder)) {
+        return QCoreApplication::installTranslator(translator);
     }
+    delete translator;
+    return false;
 }
 
 }  // namespace
@@ -59,10 +55,27 @@ void nameApplication() {
     QCoreApplication::setOrganizationName(QStringLiteral("Edgewright"));
     QCoreApplication::setApplicationVersion(QStringLiteral(EDGEWRIGHT_VERSION));
     QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/edgewright.svg")));
-    installTranslation(QStringLiteral("qtbase"),
-                       QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    installTranslation(QStringLiteral("edgewright"), QStringLiteral(":/translations"));
     QGuiApplication::setDesktopFileName(QStringLiteral("edgewright"));
+}
+
+Result<void> chooseLanguage(const QString& language) {
+    const QString name = QStringLiteral("edgewright");
+    const QString folder = QStringLiteral(":/translations");
+    QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
+    const bool nonsense = !language.isEmpty() && locale.language() == QLocale::C;
+    if (nonsense || !installTranslation(locale, name, folder)) {
+        if (!language.isEmpty()) {
+            return fail(Errc::BadValue, "There is no translation for the language \"" +
+                                            language.toStdString() + "\".");
+        }
+        locale = QLocale(QLocale::English);
+        installTranslation(locale, name, folder);
+    }
+    if (!language.isEmpty()) QLocale::setDefault(locale);
+    // Qt's own texts; it has no file for English.
+    installTranslation(locale, QStringLiteral("qtbase"),
+                       QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    return {};
 }
 
 }  // namespace ew

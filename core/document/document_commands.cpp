@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -85,9 +86,12 @@ void Document::Private::onStackMoved(int index) {
 
 namespace {
 
-/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism".
+/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism"; translated where the window
+/// has a translation for the name, which is then as it stands in a sentence.
 QString inSentence(const std::string& name) {
-    QString text = QString::fromStdString(name);
+    const QString text = QString::fromStdString(name);
+    const QString translated = QCoreApplication::translate("Core", name.c_str());
+    if (translated != text) return translated;
     const bool word = text.size() > 1 && text[1].isLower();
     return word ? text.left(1).toLower() + text.mid(1) : text;
 }

@@ -61,7 +61,9 @@ std::vector<std::vector<int>> splitFace(const std::vector<Vec3>& points,
         }
     }
     std::vector<Join> joins;
-    for (const auto& [side, t] : left) {
+    for (const auto& entry : left) {
+        const auto& side = entry.first;  // no binding: Clang 14 cannot capture one
+        const std::size_t t = entry.second;
         const auto back = left.find({side[1], side[0]});
         if (side[0] > side[1] || back == left.end()) continue;
         const auto tip = [&](std::size_t triangle) {

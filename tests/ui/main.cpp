@@ -14,5 +14,6 @@ int main(int argc, char** argv) {
     ew::prepareApplication();
     QApplication application(argc, argv);
     ew::nameApplication();
+    if (!ew::chooseLanguage("en")) return 2;
     return RUN_ALL_TESTS();
 }

@@ -2,6 +2,7 @@
 // Parts of the window that need no window.
 #include <gtest/gtest.h>
 
+#include <QPainter>
 #include <numbers>
 
 #include "ui/dialogs/template_dialog.h"
@@ -181,6 +182,47 @@ TEST(SketchPlane, SeenFromTheSideItCannotBeDrawnOn) {
     const OrthographicCamera right = standardView(OrthographicCamera(), StandardView::Right);
     EXPECT_FALSE(viewToSketch(right, front));
     EXPECT_TRUE(viewToSketch(standardView(front, StandardView::Back), front));
+}
+
+/// What a layer puts on a white picture.
+QImage shownBy(const Layer& layer, const QSize& size) {
+    QImage picture(size, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    layer.paintOn(painter);
+    return picture;
+}
+
+TEST(Layer, ShowsWhatWasDrawnLast) {
+    const QSize size(60, 40);
+    Layer layer;
+    layer.resize(size, 1.0);
+    QImage expected(size, QImage::Format_ARGB32_Premultiplied);
+    expected.fill(Qt::white);
+    EXPECT_EQ(shownBy(layer, size), expected);
+    const auto draw = [&](const QRect& area, const QColor& colour) {
+        QPainter(&layer.image()).fillRect(area, colour);
+        QPainter(&expected).fillRect(area, colour);
+    };
+    draw({5, 7, 3, 2}, Qt::red);
+    layer.touch({5, 7, 3, 2});
+    EXPECT_EQ(shownBy(layer, size), expected);
+    // Beside what was shown, then over it.
+    draw({50, 30, 4, 4}, Qt::blue);
+    layer.touch({50, 30, 4, 4});
+    EXPECT_EQ(shownBy(layer, size), expected);
+    draw({6, 7, 1, 1}, Qt::green);
+    layer.touch({6, 7, 1, 1});
+    EXPECT_EQ(shownBy(layer, size), expected);
+    layer.clear();
+    expected.fill(Qt::white);
+    EXPECT_EQ(shownBy(layer, size), expected);
+    // Where it is not said, it is found: the corners too.
+    for (const QRect& area : {QRect(20, 10, 1, 1), QRect(0, 39, 1, 1), QRect(59, 0, 1, 1)}) {
+        draw(area, Qt::black);
+        layer.touchContent();
+        EXPECT_EQ(shownBy(layer, size), expected);
+    }
 }
 
 TEST(Ink, DroppedAreDotsAndStraysButNotWhatIsRead) {

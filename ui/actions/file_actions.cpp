@@ -14,6 +14,7 @@
 #include "core/document/replay.h"
 #include "core/document/resources.h"
 #include "core/document/sketch_script.h"
+#include "ui/core_text.h"
 #include "ui/panels/message_bar.h"
 #include "ui/theme/themed_icon.h"
 #include "ui/viewport/viewport_widget.h"
@@ -189,10 +190,10 @@ bool FileActions::openScript(const QString& path) {
     options.outFolder = options.scriptFolder;
     const ReplayReport result = replay(context_.document, *script, options);
     if (const StepReport* failed = result.firstFailure()) {
-        const QString text = tr("Step %1 of the script (%2): %3")
-                                 .arg(failed->index)
-                                 .arg(QString::fromStdString(failed->name),
-                                      QString::fromStdString(failed->error->message));
+        const QString text =
+            tr("Step %1 of the script (%2): %3")
+                .arg(failed->index)
+                .arg(QString::fromStdString(failed->name), coreText(failed->error->message));
         context_.messages.showError({failed->error->code, text.toStdString(), {}});
         return false;
     }

@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "ui/apply_controller.h"
+#include "ui/core_text.h"
 #include "ui/dialogs/template_dialog.h"
 #include "ui/live_reading.h"
 #include "ui/panels/message_bar.h"
@@ -69,8 +70,8 @@ void SketchActions::refresh() {
             continue;
         }
         const Candidate& c = candidates[static_cast<std::size_t>(i)];
-        const QString name = QString::fromStdString(c.templateName);
-        const QString reading = QString::fromStdString(c.readingName);
+        const QString name = coreText(c.templateName);
+        const QString reading = coreText(c.readingName);
         action->setText(reading.isEmpty()
                             ? tr("Reading &%1: %2").arg(i + 1).arg(name)
                             : tr("Reading &%1: %2, %3").arg(i + 1).arg(name, reading));

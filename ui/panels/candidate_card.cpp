@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/core_text.h"
 #include "ui/theme/appearance.h"
 #include "ui/viewport/solid_picture.h"
 
@@ -38,14 +39,14 @@ void CandidateCard::show(const Candidate& candidate, const OrthographicCamera& c
     candidate_ = candidate;
     camera_ = camera;
     clear_ = clear;
-    QString name = QString::fromStdString(candidate.templateName);
-    const QString reading = QString::fromStdString(candidate.readingName);
+    QString name = coreText(candidate.templateName);
+    const QString reading = coreText(candidate.readingName);
     setAccessibleName(tr("Reading %1: %2, %3, fit %4 %")
                           .arg(index_ + 1)
                           .arg(name, reading)
                           .arg(qRound(candidate.score * 100)));
     QString notes;
-    for (const std::string& note : candidate.notes) notes += QString::fromStdString(note) + ' ';
+    for (const std::string& note : candidate.notes) notes += coreText(note) + ' ';
     setAccessibleDescription(notes);
     setToolTip(notes.trimmed());
     redraw();
@@ -87,7 +88,7 @@ void CandidateCard::paintEvent(QPaintEvent*) {
 
     p.setFont(bold);
     p.setPen(c.text);
-    QString name = QString::fromStdString(candidate_.templateName);
+    QString name = coreText(candidate_.templateName);
     const QString operation = operationText(candidate_.operation);
     if (!operation.isEmpty()) name = tr("%1, %2").arg(name, operation);
     p.drawText(text.left(), text.top() + strong.ascent(),
@@ -99,7 +100,7 @@ void CandidateCard::paintEvent(QPaintEvent*) {
     const QString reading =
         candidate_.readingName.empty()
             ? fit
-            : tr("%1 \u00b7 %2").arg(QString::fromStdString(candidate_.readingName), fit);
+            : tr("%1 \u00b7 %2").arg(coreText(candidate_.readingName), fit);
     p.drawText(text.left(), text.top() + plain.ascent(),
                plain.elidedText(reading, Qt::ElideRight, text.width()));
     text.setTop(text.top() + plain.height() + 3);
@@ -107,7 +108,7 @@ void CandidateCard::paintEvent(QPaintEvent*) {
     p.setPen(c.mutedText);
     p.setClipRect(text);
     p.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-               QString::fromStdString(candidate_.notes.front()));
+               coreText(candidate_.notes.front()));
 }
 
 void CandidateCard::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -102,7 +103,7 @@ void CandidatePanel::buildDepthRow() {
     row->addWidget(depth_, 1);
     row->addWidget(depthNumber_);
     connect(depth_, &QSlider::valueChanged, this, [this](int value) {
-        depthNumber_->setText(tr("%1 \u00d7").arg(value * kDepthStep, 0, 'f', 2));
+        depthNumber_->setText(tr("%1 \u00d7").arg(QLocale().toString(value * kDepthStep, 'f', 2)));
         apply_.setObliqueFactor(value * kDepthStep, !depth_->isSliderDown());
     });
     connect(depth_, &QSlider::sliderReleased, this,
@@ -160,7 +161,8 @@ void CandidatePanel::refreshDepth() {
     if (depth_->isSliderDown()) return;
     const QSignalBlocker quiet(depth_);
     depth_->setValue(static_cast<int>(std::lround(document_.obliqueFactor() / kDepthStep)));
-    depthNumber_->setText(tr("%1 \u00d7").arg(document_.obliqueFactor(), 0, 'f', 2));
+    depthNumber_->setText(
+        tr("%1 \u00d7").arg(QLocale().toString(document_.obliqueFactor(), 'f', 2)));
 }
 
 }  // namespace ew

@@ -2,8 +2,10 @@
 #include "ui/panels/graph_panel.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QVBoxLayout>
 
+#include "ui/core_text.h"
 #include "ui/live_reading.h"
 #include "ui/panels/graph_view.h"
 #include "ui/theme/colours.h"
@@ -50,16 +52,16 @@ void GraphPanel::refresh() {
     const int current = reading_.current();
     if (current >= 0) {
         const Candidate& c = r.candidates[static_cast<std::size_t>(current)];
-        heading_->setText(QString::fromStdString(c.templateName));
+        heading_->setText(coreText(c.templateName));
         detail_->setText(tr("%1, fit %2 %, off by %3 px")
                              .arg(aspectText(c.aspect))
                              .arg(qRound(c.score * 100))
-                             .arg(c.residualPx, 0, 'f', 1));
+                             .arg(QLocale().toString(c.residualPx, 'f', 1)));
         return;
     }
     const int edges = static_cast<int>(r.graph.edges.size());
     if (r.nearest && reading_.settled()) {
-        heading_->setText(tr("Nearest: %1").arg(QString::fromStdString(r.nearest->templateName)));
+        heading_->setText(tr("Nearest: %1").arg(coreText(r.nearest->templateName)));
         detail_->setText(tr("%1 missing, %2 too many")
                              .arg(r.nearest->missing.size())
                              .arg(r.nearest->extra.size()));

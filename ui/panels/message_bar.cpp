@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "ui/apply_controller.h"
+#include "ui/core_text.h"
 #include "ui/live_reading.h"
 #include "ui/theme/appearance.h"
 #include "ui/theme/themed_icon.h"
@@ -74,7 +75,7 @@ void MessageBar::showNotice(const QString& text) {
 }
 
 void MessageBar::showError(const Error& error) {
-    notice_ = Sentence{Tone::Warning, QString::fromStdString(error.message)};
+    notice_ = Sentence{Tone::Warning, coreText(error.message)};
     refresh();
 }
 
@@ -96,8 +97,8 @@ MessageBar::Sentence MessageBar::idleSentence() const {
     const ApplyOutcome& last = *document_.lastApply();
     if (last.chosen < 0) return {Tone::Quiet, tr("Draw the next shape.")};
     const Candidate& made = last.interpretation.candidates[static_cast<std::size_t>(last.chosen)];
-    QString text = tr("%1 made.").arg(QString::fromStdString(made.templateName));
-    if (!made.notes.empty()) text += ' ' + QString::fromStdString(made.notes.front());
+    QString text = tr("%1 made.").arg(coreText(made.templateName));
+    if (!made.notes.empty()) text += ' ' + coreText(made.notes.front());
     const int others = static_cast<int>(last.interpretation.candidates.size()) - 1;
     if (others > 0) text += ' ' + tr("%n other reading(s): keys 1 to 9.", nullptr, others);
     return {Tone::Good, text};
@@ -128,9 +129,9 @@ MessageBar::Sentence MessageBar::sentence() const {
     QString name;
     if (current >= 0) {
         const Candidate& c = r.candidates[static_cast<std::size_t>(current)];
-        name = QString::fromStdString(c.templateName);
+        name = coreText(c.templateName);
         if (!c.readingName.empty() && c.readingId != "default") {
-            name = tr("%1 (%2)").arg(name, QString::fromStdString(c.readingName));
+            name = tr("%1 (%2)").arg(name, coreText(c.readingName));
         }
     }
     if (r.accepted && reading_.chosen() < 0) {
@@ -143,7 +144,7 @@ MessageBar::Sentence MessageBar::sentence() const {
         return {Tone::Quiet, tr("Chosen: %1. %2").arg(name, whatEnterDoes(r, current))};
     }
     if (!reading_.settled()) return {Tone::Quiet, tr("Reading the drawing\u2026")};
-    if (r.problem) return {Tone::Warning, QString::fromStdString(r.problem->message)};
+    if (r.problem) return {Tone::Warning, coreText(r.problem->message)};
     return {Tone::Quiet, tr("Keep drawing.")};
 }
 
@@ -182,7 +183,7 @@ void MessageBar::showRepairs() {
         delete item;
     }
     for (std::size_t i = 0; i < shownRepairs_.size(); ++i) {
-        auto* button = new QPushButton(QString::fromStdString(shownRepairs_[i].label), this);
+        auto* button = new QPushButton(coreText(shownRepairs_[i].label), this);
         button->setObjectName(QStringLiteral("repair%1").arg(i + 1));
         buttons_->addWidget(button);
         connect(button, &QPushButton::clicked, this, [this, i] {

@@ -12,6 +12,7 @@
 
 #include "core/document/document.h"
 #include "core/document/resources.h"
+#include "ui/core_text.h"
 #include "ui/theme/appearance.h"
 #include "ui/theme/themed_icon.h"
 #include "ui/viewport/solid_picture.h"
@@ -79,7 +80,7 @@ void TemplatePanel::refresh() {
     list_->clear();
     for (std::size_t i = 0; i < library.size(); ++i) {
         const Template& t = library.at(i);
-        auto* item = new QListWidgetItem(QString::fromStdString(t.name), list_);
+        auto* item = new QListWidgetItem(coreText(t.name), list_);
         if (i >= kMostPictures) continue;
         const QPixmap picture = QPixmap::fromImage(solidPicture(
             t.shape, {}, camera, kPicture, devicePixelRatioF(), appearance_.colours()));
@@ -101,7 +102,7 @@ void TemplatePanel::describe() {
     const Template& t = library.at(static_cast<std::size_t>(row));
     const TemplateRelations& r = t.relations;
     QStringList lines;
-    if (!t.description.empty()) lines << QString::fromStdString(t.description);
+    if (!t.description.empty()) lines << coreText(t.description);
     lines << tr("%1 vertices, %2 faces").arg(t.shape.vertices.size()).arg(t.shape.faces.size());
     QStringList relations;
     if (!r.parallel.empty()) relations << tr("%1 parallel").arg(r.parallel.size());
@@ -111,7 +112,7 @@ void TemplatePanel::describe() {
                                   : tr("Relations: %1").arg(relations.join(", ")));
     QStringList readings;
     for (const TemplateReading& reading : t.readings)
-        readings << QString::fromStdString(reading.name);
+        readings << coreText(reading.name);
     if (!readings.isEmpty()) lines << tr("Also read as: %1").arg(readings.join(", "));
     text_->setText(lines.join('\n'));
 }

@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ui/viewport/sketch_plane.h"
 
@@ -113,18 +114,45 @@ void Layer::resize(const QSize& devicePixels, double devicePixelRatio) {
     image_.setDevicePixelRatio(devicePixelRatio);
     image_.fill(Qt::transparent);
     used_ = {};
+    part_ = {};
 }
 
 void Layer::clear() {
     if (used_.isEmpty()) return;
     image_.fill(Qt::transparent);
     used_ = {};
+    part_ = {};
 }
 
 void Layer::touch(const QRectF& area) {
     const double s = image_.devicePixelRatio();
     const QRectF device(area.x() * s, area.y() * s, area.width() * s, area.height() * s);
     used_ = used_.united(device.toAlignedRect()).intersected(image_.rect());
+    part_ = {};
+}
+
+void Layer::touchContent() {
+    const QImage& image = image_;
+    const auto isInk = [](QRgb pixel) { return pixel != 0; };
+    int left = image.width();
+    int right = -1;
+    int top = -1;
+    int bottom = -1;
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* begin = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        const auto* end = begin + image.width();
+        const auto* first = std::find_if(begin, end, isInk);
+        if (first == end) continue;
+        const auto* last =
+            std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(first), isInk)
+                .base();
+        left = std::min(left, static_cast<int>(first - begin));
+        right = std::max(right, static_cast<int>(last - begin) - 1);
+        if (top < 0) top = y;
+        bottom = y;
+    }
+    used_ = bottom < 0 ? QRect() : QRect(QPoint(left, top), QPoint(right, bottom));
+    part_ = {};
 }
 
 void Layer::paintOn(QPainter& painter) const {
@@ -135,8 +163,10 @@ void Layer::paintOn(QPainter& painter) const {
         painter.drawImage(target, image_);
         return;
     }
-    // A copy of the used part: the painter would send the whole picture to the card.
-    painter.drawImage(target, image_.copy(used_));
+    // A copy of the used part: the painter would send the whole picture to the card. It sends the
+    // same image once only.
+    if (part_.isNull()) part_ = image_.copy(used_);
+    painter.drawImage(target, part_);
 }
 
 void InkLayer::resize(const QSize& devicePixels, double devicePixelRatio) {

@@ -36,14 +36,18 @@ class Layer {
   public:
     void resize(const QSize& devicePixels, double devicePixelRatio);
     void clear();
+    /// To draw on; touch() or touchContent() afterwards.
     QImage& image() { return image_; }
     /// \param area  logical px that were drawn on.
     void touch(const QRectF& area);
+    /// The same for a cleared layer where it is not known what was drawn on: looks at the pixels.
+    void touchContent();
     void paintOn(QPainter& painter) const;
 
   private:
     QImage image_;
-    QRect used_;  // device px
+    QRect used_;           // device px
+    mutable QImage part_;  // the used part; null where it must be copied anew
 };
 
 /// The pending ink, kept as a picture that is only drawn anew when it must be: a new stroke is

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "ui/core_text.h"
 #include "ui/viewport/sketch_plane.h"
 #include "ui/viewport/wireframe.h"
 
@@ -125,7 +126,7 @@ class Painter {
     /// left out, the ring says enough.
     void label(const Culprit& culprit) {
         if (culprit.label.empty()) return;
-        const QString text = QString::fromStdString(culprit.label);
+        const QString text = coreText(culprit.label);
         const QFontMetricsF metrics(p_.font());
         const QSizeF size(metrics.horizontalAdvance(text) + 12, metrics.height() + 6);
         const QPointF tip = at(culprit.at);

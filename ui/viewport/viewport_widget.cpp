@@ -228,7 +228,8 @@ void ViewportWidget::paintOverlays() {
                                  d.reading.current(),
                                  d.reading.settled()};
             paintReading(painter, shown, colours, rect());
-            d.overlay.touch(rect());
+            painter.end();
+            d.overlay.touchContent();
         }
     }
     QPainter painter(this);

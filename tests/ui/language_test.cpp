@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window in German.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QMenuBar>
+#include <QTranslator>
+#include <QUndoStack>
+#include <set>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/app_setup.h"
+#include "ui/core_text.h"
+
+namespace ew::test {
+namespace {
+
+class German : public WindowTest {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(translator_.load(QLocale("de"), "edgewright", "_", ":/translations"));
+        // On top of the English that main() chose; taken off again for the other tests.
+        ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
+        WindowTest::SetUp();
+    }
+    void TearDown() override {
+        WindowTest::TearDown();
+        QCoreApplication::removeTranslator(&translator_);
+    }
+
+    QTranslator translator_;
+};
+
+TEST_F(German, MenusPanelsAndPluralsAreGerman) {
+    QStringList menus;
+    for (const QAction* a : window_->menuBar()->actions()) menus << a->text();
+    EXPECT_EQ(menus, (QStringList{"&Datei", "&Bearbeiten", "&Ansicht", "&Zeichnung", "&Hilfe"}));
+    const auto edges = [](int n) {
+        return QCoreApplication::translate("ew::GraphPanel", "%n edge(s)", nullptr, n);
+    };
+    EXPECT_EQ(edges(1), "1 Kante");
+    EXPECT_EQ(edges(9), "9 Kanten");
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(document().apply());
+    EXPECT_EQ(document().undoStack().text(0), "Quader erzeugen");
+}
+
+/// Every sentence of a reading that people see.
+std::vector<std::string> sentences(const Interpretation& r) {
+    std::vector<std::string> all;
+    if (r.problem) all.push_back(r.problem->message);
+    for (const Culprit& c : r.culprits) all.push_back(c.label);
+    for (const Repair& repair : r.repairs) all.push_back(repair.label);
+    for (const Candidate& c : r.candidates) {
+        all.push_back(c.templateName);
+        if (!c.readingName.empty()) all.push_back(c.readingName);
+        all.insert(all.end(), c.notes.begin(), c.notes.end());
+    }
+    return all;
+}
+
+TEST_F(German, WhatTheCoreSaysIsGermanToo) {
+    using Lines = std::vector<std::array<Vec2, 2>>;
+    const Lines box = boxLines();
+    Lines open(box.begin(), box.end() - 1);
+    Lines gap = box;
+    gap[8][1] += 19.0 * (gap[8][0] - gap[8][1]).normalized();
+    Lines two = box;
+    for (const auto& l : boxLines({20, 20, 20}))
+        two.push_back({l[0] + Vec2(300, 0), l[1] + Vec2(300, 0)});
+    Lines turned = box;
+    for (auto& l : turned) {
+        for (Vec2& p : l) {
+            if ((p - box[3][1]).norm() < 1) p += Vec2(-46, 12);
+        }
+    }
+    const Lines bowTie{{Vec2(200, 200), Vec2(400, 400)},
+                       {Vec2(400, 400), Vec2(400, 200)},
+                       {Vec2(400, 200), Vec2(200, 400)},
+                       {Vec2(200, 400), Vec2(200, 200)}};
+    const Lines square{{Vec2(200, 200), Vec2(400, 200)},
+                       {Vec2(400, 200), Vec2(400, 400)},
+                       {Vec2(400, 400), Vec2(200, 400)},
+                       {Vec2(200, 400), Vec2(200, 200)}};
+    std::set<std::string> told;
+    for (const Lines& lines :
+         {Lines{}, open, gap, two, turned, bowTie, square, prismLines(), box}) {
+        document().clearStrokes();
+        for (const auto& l : lines) {
+            ASSERT_TRUE(document().addStroke(Stroke{{{l[0], 1, 0}, {l[1], 1, 0}}}));
+        }
+        for (const std::string& s : sentences(document().interpretation())) told.insert(s);
+    }
+    EXPECT_GT(told.size(), 20U);
+    for (const std::string& s : told) {
+        const QString german = coreText(s);
+        EXPECT_NE(german.toStdString(), s);
+        EXPECT_FALSE(german.contains('%')) << german.toStdString();
+        for (const char* english : {" the ", "edge", "corner", "line", "degree"}) {
+            EXPECT_FALSE(german.contains(english)) << german.toStdString();
+        }
+    }
+    EXPECT_EQ(coreText("A line ends 19 px from what it should meet (the distance threshold is 14 "
+                       "px)."),
+              "Eine Linie endet 19 px vor dem, was sie treffen sollte (die Abstandsschwelle ist 14 "
+              "px).");
+    EXPECT_EQ(coreText("No template shows one corner and 9 edges like this. The nearest is Cube "
+                       "(it shows 2 edges fewer and one corner more)."),
+              "Keine Vorlage zeigt so eine Ecke und 9 Kanten. Am nächsten ist: Quader "
+              "(zeigt 2 Kanten weniger und eine Ecke mehr).");
+    EXPECT_EQ(coreText("This can be read as Cube or Hat stand or L-prism; choose one."),
+              "Lesbar als Quader oder Hat stand oder L-Prisma; bitte auswählen.");
+    // The name that somebody gave, and what nobody has translated.
+    EXPECT_EQ(coreText("Take the 50 %1 thing"), "Nehmen: 50 %1 thing");
+    EXPECT_EQ(coreText("Do or die"), "Do or die");
+    EXPECT_EQ(coreText("Something else happened."), "Something else happened.");
+}
+
+TEST(CoreText, IsEnglishInEnglish) {
+    for (const char* text : {"Take the Cube", "gap 19 px, threshold 14 px", "one corner", ""}) {
+        EXPECT_EQ(coreText(text), text);
+    }
+}
+
+/// Texts of buttons and labels that get less room than they ask for.
+QStringList cutOff(const QWidget& window) {
+    QStringList found;
+    for (const QWidget* w : window.findChildren<QWidget*>()) {
+        if (!w->isVisible()) continue;
+        QString text;
+        if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
+        if (const auto* label = qobject_cast<const QLabel*>(w)) {
+            text = label->text();
+            if (label->wordWrap() && w->height() < label->heightForWidth(w->width())) found << text;
+            if (label->wordWrap()) continue;
+        }
+        if (!text.isEmpty() && w->width() < w->sizeHint().width()) found << text;
+    }
+    return found;
+}
+
+TEST_F(German, NothingIsCutOff) {
+    const auto complaints = [&] {
+        QApplication::processEvents();  // layouts ask for a second turn
+        return cutOff(*window_).join(" | ").toStdString();
+    };
+    EXPECT_EQ(complaints(), "");
+    drawLines(Hand::Mouse, boxLines());
+    EXPECT_EQ(complaints(), "");
+    ASSERT_TRUE(document().apply());
+    settle();
+    EXPECT_EQ(complaints(), "");
+}
+
+TEST(Language, OneWithoutATranslationIsRefused) {
+    for (const char* code : {"tlh", "fr", "C", "../de", "nonsense"}) {
+        const QLocale before;
+        const auto chosen = chooseLanguage(code);
+        ASSERT_FALSE(chosen) << code;
+        EXPECT_EQ(chosen.error().code, Errc::BadValue);
+        EXPECT_NE(chosen.error().message.find(code), std::string::npos);
+        EXPECT_EQ(QLocale(), before);
+    }
+}
+
+}  // namespace
+}  // namespace ew::test

@@ -1,0 +1,1295 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>Core</name>
+    <message>
+        <source>A line ends %1 from what it should meet (the distance threshold is %2).</source>
+        <translation>Eine Linie endet %1 vor dem, was sie treffen sollte (die Abstandsschwelle ist %2).</translation>
+    </message>
+    <message>
+        <source>%1 line ends meet nothing; the nearest gap is %2 (the distance threshold is %3).</source>
+        <translation>%1 Linienenden treffen nichts; die kleinste Lücke ist %2 (die Abstandsschwelle ist %3).</translation>
+    </message>
+    <message>
+        <source>The lines enclose nothing: a solid needs closed outlines.</source>
+        <translation>Die Linien schließen nichts ein: Ein Körper braucht geschlossene Umrisse.</translation>
+    </message>
+    <message>
+        <source>This is a curve; solids are drawn with straight lines (round them afterwards).</source>
+        <translation>Das ist eine Kurve; Körper werden mit geraden Linien gezeichnet (und danach gerundet).</translation>
+    </message>
+    <message>
+        <source>This looks like a scribble; no straight lines were found in it.</source>
+        <translation>Das sieht nach Gekritzel aus; gerade Linien wurden darin nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>There are only dots here; draw the edges of a solid.</source>
+        <translation>Hier sind nur Punkte; zu zeichnen sind die Kanten eines Körpers.</translation>
+    </message>
+    <message>
+        <source>These are %1 separate drawings; apply them one at a time.</source>
+        <translation>Das sind %1 getrennte Zeichnungen; sie gehören einzeln angewendet.</translation>
+    </message>
+    <message>
+        <source>This corner cannot be right-angled: at a Y all three angles must be over 90 degrees, at an arrow both inner angles under 90 with a sum over 90.</source>
+        <translation>Diese Ecke kann nicht rechtwinklig sein: Bei einem Y müssen alle drei Winkel über 90 Grad liegen, bei einem Pfeil beide inneren unter 90 und zusammen über 90.</translation>
+    </message>
+    <message>
+        <source>Lines cross at %1 where no corner is; draw visible edges only, or drop a line.</source>
+        <translation>Linien kreuzen sich an %1 ohne Ecke; nur sichtbare Kanten zeichnen oder eine Linie verwerfen.</translation>
+    </message>
+    <message>
+        <source>This could be a %1, but an edge is %2 degrees off its parallels (the angle threshold is %3).</source>
+        <translation>Lesbar als %1, aber eine Kante weicht um %2 Grad von ihren Parallelen ab (die Winkelschwelle ist %3).</translation>
+    </message>
+    <message>
+        <source>The lines fit no %1 closely: they are %2 off on average.</source>
+        <translation>Als %1 passen die Linien schlecht: Sie liegen im Mittel %2 daneben.</translation>
+    </message>
+    <message>
+        <source>This could be a %1 or %2, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1 oder %2, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This could be a %1, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This could be %1, but only without some of the lines; choose it, or draw on.</source>
+        <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4 und %5).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3, but the lines meet in another way.</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3, aber dort treffen sich die Linien anders.</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this.</source>
+        <translation>Keine Vorlage zeigt so %1 und %2.</translation>
+    </message>
+    <message>
+        <source>No template matches this drawing.</source>
+        <translation>Keine Vorlage passt zu dieser Zeichnung.</translation>
+    </message>
+    <message>
+        <source>These lines and the edges that they meet show no template on the solid.</source>
+        <translation>Diese Linien und die Kanten, die sie treffen, zeigen keine Vorlage am Körper.</translation>
+    </message>
+    <message>
+        <source>There is no template &quot;%1&quot; in the library.</source>
+        <translation>Es gibt keine Vorlage „%1“ in der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>There are %1 strokes; at most %2 are read at once.</source>
+        <translation>Das sind %1 Striche; höchstens %2 werden auf einmal gelesen.</translation>
+    </message>
+    <message>
+        <source>There are %1 pending strokes already; apply or clear them first.</source>
+        <translation>Es gibt schon %1 offene Striche; sie zuerst anwenden oder verwerfen.</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet.</source>
+        <translation>Es ist noch nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is no stroke within reach to erase.</source>
+        <translation>In Reichweite ist kein Strich zum Radieren.</translation>
+    </message>
+    <message>
+        <source>There is no solid to cut.</source>
+        <translation>Es gibt keinen Körper, von dem etwas abzuziehen wäre.</translation>
+    </message>
+    <message>
+        <source>There is no solid to add to.</source>
+        <translation>Es gibt keinen Körper, dem etwas hinzuzufügen wäre.</translation>
+    </message>
+    <message>
+        <source>There is no solid to delete.</source>
+        <translation>Es gibt keinen Körper zum Löschen.</translation>
+    </message>
+    <message>
+        <source>There is no solid to export yet.</source>
+        <translation>Es gibt noch keinen Körper zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>There is no solid to make a template from.</source>
+        <translation>Es gibt keinen Körper, aus dem eine Vorlage werden könnte.</translation>
+    </message>
+    <message>
+        <source>A template&apos;s faces have no holes; this solid&apos;s have.</source>
+        <translation>Die Flächen einer Vorlage haben keine Löcher; die dieses Körpers haben welche.</translation>
+    </message>
+    <message>
+        <source>This drawing cannot be read as that operation; let the program choose it.</source>
+        <translation>Die Zeichnung ist nicht als dieser Vorgang lesbar; die Wahl dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>The stroke to repair is gone.</source>
+        <translation>Der Strich, der zu beheben war, ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>There is no file at %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>The new part lies inside the solid: nothing would change.</source>
+        <translation>Das neue Teil liegt im Körper: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>The part to cut out lies beside the solid: nothing would change.</source>
+        <translation>Das abzuziehende Teil liegt neben dem Körper: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>The solid lies inside the part: nothing would change.</source>
+        <translation>Der Körper liegt im Teil: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>Nothing of the solid would be left.</source>
+        <translation>Vom Körper bliebe nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The two parts have nothing in common.</source>
+        <translation>Die beiden Teile haben nichts gemeinsam.</translation>
+    </message>
+    <message>
+        <source>The new part misses the solid by less than a hair; this would leave a gap or a splinter that nobody can see.</source>
+        <translation>Das neue Teil verfehlt den Körper um weniger als eine Haaresbreite; es bliebe ein Spalt oder Splitter, den niemand sieht.</translation>
+    </message>
+    <message>
+        <source>The solid would touch itself along an edge only. Make the new part a little larger or smaller.</source>
+        <translation>Der Körper würde sich nur entlang einer Kante berühren. Das neue Teil etwas größer oder kleiner zeichnen.</translation>
+    </message>
+    <message>
+        <source>The solid would touch itself in a point only. Make the new part a little larger or smaller.</source>
+        <translation>Der Körper würde sich nur in einem Punkt berühren. Das neue Teil etwas größer oder kleiner zeichnen.</translation>
+    </message>
+    <message>
+        <source>One edge that was not drawn was added.</source>
+        <translation>Eine Kante, die nicht gezeichnet war, wurde ergänzt.</translation>
+    </message>
+    <message>
+        <source>%1 edges that were not drawn were added.</source>
+        <translation>%1 Kanten, die nicht gezeichnet waren, wurden ergänzt.</translation>
+    </message>
+    <message>
+        <source>One line too many was left out.</source>
+        <translation>Eine überzählige Linie wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Parts that cannot be seen from here keep the template&apos;s proportions.</source>
+        <translation>Was von hier nicht zu sehen ist, behält die Maße der Vorlage.</translation>
+    </message>
+    <message>
+        <source>The corner has no exact solution; the nearest drawing that has one was taken.</source>
+        <translation>Die Ecke hat keine genaue Lösung; genommen wurde die nächste Zeichnung, die eine hat.</translation>
+    </message>
+    <message>
+        <source>Read as an oblique drawing: the front face is true, the depth is a choice.</source>
+        <translation>Gelesen als Schrägbild: Die Vorderseite stimmt, die Tiefe ist wählbar.</translation>
+    </message>
+    <message>
+        <source>The drawing leaves one measure open; the most regular shape was taken.</source>
+        <translation>Die Zeichnung lässt ein Maß offen; genommen wurde die regelmäßigste Form.</translation>
+    </message>
+    <message>
+        <source>The drawing leaves %1 measures open; the most regular shape was taken.</source>
+        <translation>Die Zeichnung lässt %1 Maße offen; genommen wurde die regelmäßigste Form.</translation>
+    </message>
+    <message>
+        <source>The solid falls into %1 separate pieces.</source>
+        <translation>Der Körper zerfällt in %1 Teile.</translation>
+    </message>
+    <message>
+        <source>Join these ends</source>
+        <translation>Diese Enden verbinden</translation>
+    </message>
+    <message>
+        <source>Raise the threshold to %1</source>
+        <translation>Schwelle auf %1 erhöhen</translation>
+    </message>
+    <message>
+        <source>Raise the angle threshold to %1 degrees</source>
+        <translation>Winkelschwelle auf %1 Grad erhöhen</translation>
+    </message>
+    <message>
+        <source>Drop this line</source>
+        <translation>Diese Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep the largest drawing</source>
+        <translation>Größte Zeichnung behalten</translation>
+    </message>
+    <message>
+        <source>Keep drawing %1</source>
+        <translation>Zeichnung %1 behalten</translation>
+    </message>
+    <message>
+        <source>Take it as a %1 all the same</source>
+        <translation>Trotzdem nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Take the %1</source>
+        <translation>Nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Take: %1</source>
+        <translation>Nehmen: %1</translation>
+    </message>
+    <message>
+        <source>adding a %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>cutting a %1</source>
+        <translation>%1 abziehen</translation>
+    </message>
+    <message>
+        <source>belongs to no region</source>
+        <translation>gehört zu keinem Gebiet</translation>
+    </message>
+    <message>
+        <source>a dot</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>a scribble</source>
+        <translation>Gekritzel</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>eine Kurve</translation>
+    </message>
+    <message>
+        <source>gap %1, threshold %2</source>
+        <translation>Lücke %1, Schwelle %2</translation>
+    </message>
+    <message>
+        <source>no right-angled corner looks like this</source>
+        <translation>so sieht keine rechtwinklige Ecke aus</translation>
+    </message>
+    <message>
+        <source>lines cross</source>
+        <translation>Linien kreuzen sich</translation>
+    </message>
+    <message>
+        <source>%1 degrees off its parallels</source>
+        <translation>%1 Grad neben den Parallelen</translation>
+    </message>
+    <message>
+        <source>%1 lines meet here</source>
+        <translation>%1 Linien treffen sich hier</translation>
+    </message>
+    <message>
+        <source>one place</source>
+        <translation>einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 Stellen</translation>
+    </message>
+    <message>
+        <source>one corner</source>
+        <translation>eine Ecke</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>one edge</source>
+        <translation>eine Kante</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 mehr</translation>
+    </message>
+    <message>
+        <source>%1 fewer</source>
+        <translation>%1 weniger</translation>
+    </message>
+    <message>
+        <source>Parallel projection</source>
+        <translation>Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Nearest parallel projection</source>
+        <translation>Nächste Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schrägbild</translation>
+    </message>
+    <message>
+        <source>Most regular</source>
+        <translation>Am regelmäßigsten</translation>
+    </message>
+    <message>
+        <source>Isosceles</source>
+        <translation>Gleichschenklig</translation>
+    </message>
+    <message>
+        <source>Right-angled</source>
+        <translation>Rechtwinklig</translation>
+    </message>
+    <message>
+        <source>Right-angled corner</source>
+        <translation>Rechtwinklige Ecke</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>A box: six rectangular faces, any proportions.</source>
+        <translation>Sechs rechteckige Flächen, beliebige Maße.</translation>
+    </message>
+    <message>
+        <source>L-prism</source>
+        <translation>L-Prisma</translation>
+    </message>
+    <message>
+        <source>A right prism over an L with right angles only.</source>
+        <translation>Ein gerades Prisma über einem L mit lauter rechten Winkeln.</translation>
+    </message>
+    <message>
+        <source>Triangular prism</source>
+        <translation>Dreiecksprisma</translation>
+    </message>
+    <message>
+        <source>A right prism over any triangle.</source>
+        <translation>Ein gerades Prisma über einem beliebigen Dreieck.</translation>
+    </message>
+    <message>
+        <source>Triangular pyramid</source>
+        <translation>Dreieckspyramide</translation>
+    </message>
+    <message>
+        <source>Four triangles, any shape.</source>
+        <translation>Vier Dreiecke, beliebige Form.</translation>
+    </message>
+    <message>
+        <source>Wedge frustum</source>
+        <translation>Pyramidenstumpf</translation>
+    </message>
+    <message>
+        <source>A rectangular pyramid with its top cut off parallel to the base.</source>
+        <translation>Eine rechteckige Pyramide, deren Spitze parallel zur Grundfläche abgeschnitten ist.</translation>
+    </message>
+    <message>
+        <source>This can be read as %1; choose one.</source>
+        <translation>Lesbar als %1; bitte auswählen.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>In five lines</source>
+        <translation>In fünf Zeilen</translation>
+    </message>
+    <message>
+        <source>Draw the edges that you would see of a box, in any order; one stroke may draw several edges.</source>
+        <translation>Die Kanten zeichnen, die von einem Quader zu sehen wären, in beliebiger Reihenfolge; ein Strich darf mehrere Kanten zeichnen.</translation>
+    </message>
+    <message>
+        <source>The Edge Graph panel shows lines and corners as they are read; the drawing shows a faint preview.</source>
+        <translation>Das Feld Kantengraph zeigt Linien und Ecken, wie sie gelesen werden; in der Zeichnung erscheint eine blasse Vorschau.</translation>
+    </message>
+    <message>
+        <source>Lift the pen. When the reading is clear it becomes a solid; Enter does it at once.</source>
+        <translation>Den Stift absetzen. Eine eindeutige Lesart wird zum Körper; mit der Eingabetaste sofort.</translation>
+    </message>
+    <message>
+        <source>Draw on the solid to add to it (green) or to cut it (red). Keys 1 to 9 take another reading, also afterwards.</source>
+        <translation>Auf den Körper zeichnen, um etwas hinzuzufügen (grün) oder abzuziehen (rot). Die Tasten 1 bis 9 nehmen eine andere Lesart, auch hinterher.</translation>
+    </message>
+    <message>
+        <source>If something does not meet, it is marked, with a button that repairs it.</source>
+        <translation>Was sich nicht trifft, wird markiert, mit einem Knopf, der es behebt.</translation>
+    </message>
+    <message>
+        <source>Pen and mouse</source>
+        <translation>Stift und Maus</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>pen tip, or left button</source>
+        <translation>Stiftspitze oder linke Maustaste</translation>
+    </message>
+    <message>
+        <source>Erase a stroke</source>
+        <translation>Strich radieren</translation>
+    </message>
+    <message>
+        <source>eraser end of the pen, or the eraser tool (E)</source>
+        <translation>Radierende des Stifts oder Radiergummi (E)</translation>
+    </message>
+    <message>
+        <source>Cancel a stroke</source>
+        <translation>Strich abbrechen</translation>
+    </message>
+    <message>
+        <source>Escape while drawing</source>
+        <translation>Escape beim Zeichnen</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>right or middle button, Alt with left, pen&apos;s side button</source>
+        <translation>rechte oder mittlere Maustaste, Alt mit links, Seitentaste des Stifts</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Shift with the middle button, Space with left</source>
+        <translation>Umschalttaste mit mittlerer, Leertaste mit linker Maustaste</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>wheel, or two fingers</source>
+        <translation>Mausrad oder zwei Finger</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z: the newest stroke first, then the newest step</source>
+        <translation>Strg+Z: zuerst der neueste Strich, dann der neueste Schritt</translation>
+    </message>
+    <message>
+        <source>Quick help</source>
+        <translation>Kurzhilfe</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>About Edgewright</source>
+        <translation>Über Edgewright</translation>
+    </message>
+    <message>
+        <source>Turns pen strokes into solids, step by step, with a topology library.
+
+Free software under the GNU General Public License, version 3 or later, without any warranty. Uses Qt, VTK, OpenMesh, CGAL and Eigen.</source>
+        <translation>Macht aus Stiftstrichen Schritt für Schritt Körper, mit einer Topologie-Bibliothek.
+
+Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, CGAL und Eigen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::CandidateCard</name>
+    <message>
+        <source>add</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>abziehen</translation>
+    </message>
+    <message>
+        <source>Reading %1: %2, %3, fit %4 %</source>
+        <translation>Lesart %1: %2, %3, Passung %4 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::CandidatePanel</name>
+    <message>
+        <source>Apply &amp;by itself when clear</source>
+        <translation>Eindeutiges von &amp;selbst anwenden</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>When one reading is clearly the best, it becomes a solid about a second after the pen is lifted.</source>
+        <translation>Ist eine Lesart eindeutig die beste, wird sie etwa eine Sekunde nach dem Absetzen des Stifts zum Körper.</translation>
+    </message>
+    <message>
+        <source>Make a solid of the chosen reading (Enter)</source>
+        <translation>Aus der gewählten Lesart einen Körper machen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>D&amp;epth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>The front is taken as drawn. Depth is this many times the length of the slanted lines.</source>
+        <translation>Die Vorderseite gilt, wie sie gezeichnet ist. Die Tiefe ist so viele Male die Länge der schrägen Linien.</translation>
+    </message>
+    <message>
+        <source>Depth of the oblique reading</source>
+        <translation>Tiefe der Lesart als Schrägbild</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>What the drawing can mean appears here. Keys 1 to 9 choose.</source>
+        <translation>Hier erscheint, was die Zeichnung bedeuten kann. Die Tasten 1 bis 9 wählen aus.</translation>
+    </message>
+    <message>
+        <source>Done. Another reading is one key away.</source>
+        <translation>Fertig. Eine andere Lesart ist nur einen Tastendruck entfernt.</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fertig.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n Lesart</numerusform>
+            <numerusform>%n Lesarten</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::Document</name>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 abziehen</translation>
+    </message>
+    <message>
+        <source>Create %1</source>
+        <translation>%1 erzeugen</translation>
+    </message>
+    <message>
+        <source>Define template “%1”</source>
+        <translation>Vorlage „%1“ festlegen</translation>
+    </message>
+    <message>
+        <source>Delete solid</source>
+        <translation>Körper löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::EditActions</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear ink</source>
+        <translation>&amp;Striche verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete solid</source>
+        <translation>Körper &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Drop all strokes that are no solid yet</source>
+        <translation>Alle Striche verwerfen, die noch kein Körper sind</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Pen</source>
+        <translation>S&amp;tift</translation>
+    </message>
+    <message>
+        <source>Draw strokes</source>
+        <translation>Striche zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Eraser</source>
+        <translation>Radi&amp;ergummi</translation>
+    </message>
+    <message>
+        <source>Remove strokes; the eraser end of the pen does it too</source>
+        <translation>Striche entfernen; das kann auch das Radierende des Stifts</translation>
+    </message>
+    <message>
+        <source>&amp;Orbit</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Turn the view; so do the right and the middle mouse button</source>
+        <translation>Die Ansicht drehen; das können auch die rechte und die mittlere Maustaste</translation>
+    </message>
+    <message>
+        <source>&amp;Move view</source>
+        <translation>Ansicht &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>Move the view; so do Space with the left button and Shift with the middle one</source>
+        <translation>Die Ansicht verschieben; das kann auch die Leertaste mit der linken und die Umschalttaste mit der mittleren Maustaste</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo stroke</source>
+        <translation>Strich &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederherstellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::FileActions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Neues Dokument</translation>
+    </message>
+    <message>
+        <source>Open a document or a sketch script</source>
+        <translation>Ein Dokument oder ein Zeichenskript öffnen</translation>
+    </message>
+    <message>
+        <source>Save the document</source>
+        <translation>Das Dokument speichern</translation>
+    </message>
+    <message>
+        <source>Export the solid as OBJ, STL or PLY</source>
+        <translation>Den Körper als OBJ, STL oder PLY exportieren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to this document?</source>
+        <translation>Die Änderungen an diesem Dokument speichern?</translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xample</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save what was done as a s&amp;cript…</source>
+        <translation>Schritte als S&amp;kript speichern …</translation>
+    </message>
+    <message>
+        <source>S&amp;creenshot…</source>
+        <translation>Bildschirmf&amp;oto …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>There are no examples</source>
+        <translation>Es gibt keine Beispiele</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Documents and sketch scripts (*.edgewright *.json);;All files (*)</source>
+        <translation>Dokumente und Zeichenskripte (*.edgewright *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Step %1 of the script (%2): %3</source>
+        <translation>Schritt %1 des Skripts (%2): %3</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Edgewright document (*.edgewright)</source>
+        <translation>Edgewright-Dokument (*.edgewright)</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Save what was done as a script</source>
+        <translation>Schritte als Skript speichern</translation>
+    </message>
+    <message>
+        <source>Sketch script (*.json)</source>
+        <translation>Zeichenskript (*.json)</translation>
+    </message>
+    <message>
+        <source>Script saved to %1.</source>
+        <translation>Skript gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ, planar faces (*.obj);;STL, binary (*.stl);;PLY (*.ply)</source>
+        <translation>Wavefront OBJ, ebene Flächen (*.obj);;STL, binär (*.stl);;PLY (*.ply)</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Exportiert nach %1.</translation>
+    </message>
+    <message>
+        <source>Screenshot</source>
+        <translation>Bildschirmfoto</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1.</source>
+        <translation>Bild gespeichert in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::GraphPanel</name>
+    <message numerus="yes">
+        <source>outline on %n face(s)</source>
+        <translation>
+            <numerusform>Umriss auf %n Fläche</numerusform>
+            <numerusform>Umriss auf %n Flächen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>seen through %n face(s)</source>
+        <translation>
+            <numerusform>durch %n Fläche gesehen</numerusform>
+            <numerusform>durch %n Flächen gesehen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) seen</source>
+        <translation>
+            <numerusform>%n Fläche sichtbar</numerusform>
+            <numerusform>%n Flächen sichtbar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, fit %2 %, off by %3 px</source>
+        <translation>%1, Passung %2 %, ±%3 px</translation>
+    </message>
+    <message>
+        <source>Nearest: %1</source>
+        <translation>Am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>%1 missing, %2 too many</source>
+        <translation>%1 fehlen, %2 zu viel</translation>
+    </message>
+    <message>
+        <source>No template yet</source>
+        <translation>Noch keine Vorlage</translation>
+    </message>
+    <message>
+        <source>Nothing read yet</source>
+        <translation>Noch nichts gelesen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s)</source>
+        <translation>
+            <numerusform>%n Kante</numerusform>
+            <numerusform>%n Kanten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n junction(s)</source>
+        <translation>
+            <numerusform>%n Knoten</numerusform>
+            <numerusform>%n Knoten</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::GraphView</name>
+    <message>
+        <source>Edge Graph</source>
+        <translation>Kantengraph</translation>
+    </message>
+    <message>
+        <source>Lines and corners appear here while you draw.</source>
+        <translation>Linien und Ecken erscheinen hier beim Zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Click a step to go back or forward to it.</source>
+        <translation>Ein Klick auf einen Schritt geht zu ihm zurück oder vor.</translation>
+    </message>
+    <message>
+        <source>Empty document</source>
+        <translation>Leeres Dokument</translation>
+    </message>
+</context>
+<context>
+    <name>ew::MainWindow</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Sketch</source>
+        <translation>&amp;Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Quick help</source>
+        <translation>&amp;Kurzhilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;About Edgewright</source>
+        <translation>Ü&amp;ber Edgewright</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Edge Graph</source>
+        <translation>Kantengraph</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lesarten</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>T-LIB</source>
+        <translation>T-LIB</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>%1[*] – Edgewright</source>
+        <translation>%1[*] – Edgewright</translation>
+    </message>
+</context>
+<context>
+    <name>ew::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Draw the next shape.</source>
+        <translation>Die nächste Form zeichnen.</translation>
+    </message>
+    <message>
+        <source>Draw the edges that you would see of a box, a prism or a pyramid, in any order and with any number of strokes.</source>
+        <translation>Die sichtbaren Kanten eines Quaders, eines Prismas oder einer Pyramide zeichnen, in beliebiger Reihenfolge und mit beliebig vielen Strichen.</translation>
+    </message>
+    <message>
+        <source>%1 made.</source>
+        <translation>%1 erzeugt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other reading(s): keys 1 to 9.</source>
+        <translation>
+            <numerusform>%n andere Lesart: Tasten 1 bis 9.</numerusform>
+            <numerusform>%n andere Lesarten: Tasten 1 bis 9.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Enter adds it to the solid.</source>
+        <translation>Die Eingabetaste fügt es dem Körper hinzu.</translation>
+    </message>
+    <message>
+        <source>Enter cuts it out of the solid.</source>
+        <translation>Die Eingabetaste zieht es vom Körper ab.</translation>
+    </message>
+    <message>
+        <source>Enter makes it a solid.</source>
+        <translation>Die Eingabetaste macht es zum Körper.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Clear: %1. Applying it; Escape waits.</source>
+        <translation>Eindeutig: %1. Wird angewendet; Escape hält es auf.</translation>
+    </message>
+    <message>
+        <source>Clear: %1. %2</source>
+        <translation>Eindeutig: %1. %2</translation>
+    </message>
+    <message>
+        <source>Chosen: %1. %2</source>
+        <translation>Gewählt: %1. %2</translation>
+    </message>
+    <message>
+        <source>Reading the drawing…</source>
+        <translation>Die Zeichnung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Keep drawing.</source>
+        <translation>Weiterzeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::SketchActions</name>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Anwenden</translation>
+    </message>
+    <message>
+        <source>Apply by &amp;itself when clear</source>
+        <translation>Eindeutiges von &amp;selbst anwenden</translation>
+    </message>
+    <message>
+        <source>Add solid as &amp;template…</source>
+        <translation>Körper als &amp;Vorlage aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Make a solid of the drawing (Enter)</source>
+        <translation>Aus der Zeichnung einen Körper machen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Make a solid without asking when one reading is clearly the best (A)</source>
+        <translation>Ohne Rückfrage einen Körper machen, wenn eine Lesart eindeutig die beste ist (A)</translation>
+    </message>
+    <message>
+        <source>Reading &amp;%1</source>
+        <translation>Lesart &amp;%1</translation>
+    </message>
+    <message>
+        <source>Reading &amp;%1: %2</source>
+        <translation>Lesart &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Reading &amp;%1: %2, %3</source>
+        <translation>Lesart &amp;%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 can be drawn from now on.</source>
+        <translation>%1 kann von jetzt an gezeichnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TemplateDialog</name>
+    <message>
+        <source>Add solid as template</source>
+        <translation>Körper als Vorlage aufnehmen</translation>
+    </message>
+    <message>
+        <source>Drawings of this shape, in any proportion, will be read as it.</source>
+        <translation>Zeichnungen dieser Form werden in jedem Seitenverhältnis als sie gelesen.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Id</source>
+        <translation>&amp;Kennung</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Names the template in files and scripts: small letters, digits and hyphens.</source>
+        <translation>Bezeichnet die Vorlage in Dateien und Skripten: Kleinbuchstaben, Ziffern und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>There is a template with this id already.</source>
+        <translation>Es gibt schon eine Vorlage mit dieser Kennung.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TemplatePanel</name>
+    <message>
+        <source>Add &amp;solid as template…</source>
+        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Open template f&amp;older</source>
+        <translation>&amp;Ordner der Vorlagen öffnen</translation>
+    </message>
+    <message>
+        <source>A template file that is put there is used from the next start on.</source>
+        <translation>Eine Vorlagendatei, die dort liegt, gilt vom nächsten Start an.</translation>
+    </message>
+    <message>
+        <source>The solid on screen becomes a shape that drawings can match.</source>
+        <translation>Der gezeigte Körper wird zu einer Form, der Zeichnungen entsprechen können.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 faces</source>
+        <translation>%1 Ecken, %2 Flächen</translation>
+    </message>
+    <message>
+        <source>%1 parallel</source>
+        <translation>%1 × parallel</translation>
+    </message>
+    <message>
+        <source>%1 perpendicular</source>
+        <translation>%1 × senkrecht</translation>
+    </message>
+    <message>
+        <source>%1 equal length</source>
+        <translation>%1 × gleich lang</translation>
+    </message>
+    <message>
+        <source>No relations</source>
+        <translation>Keine Beziehungen</translation>
+    </message>
+    <message>
+        <source>Relations: %1</source>
+        <translation>Beziehungen: %1</translation>
+    </message>
+    <message>
+        <source>Also read as: %1</source>
+        <translation>Auch gelesen als: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ThresholdPanel</name>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>How far apart two stroke ends may be and still meet in one corner, and how far the eraser reaches. It is the ring round the pen tip.</source>
+        <translation>Wie weit zwei Strichenden auseinanderliegen dürfen und sich doch in einer Ecke treffen, und wie weit der Radiergummi reicht. Es ist der Ring um die Stiftspitze.</translation>
+    </message>
+    <message>
+        <source>An&amp;gle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How much two lines may differ in direction and still count as parallel.</source>
+        <translation>Wie weit die Richtungen zweier Linien abweichen dürfen, damit sie noch als parallel gelten.</translation>
+    </message>
+    <message>
+        <source>Back to %1 px and %2°</source>
+        <translation>Zurück auf %1 px und %2°</translation>
+    </message>
+    <message>
+        <source>%1 threshold</source>
+        <translation>Schwelle: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ViewActions</name>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>&amp;Hidden edges</source>
+        <translation>&amp;Verdeckte Kanten</translation>
+    </message>
+    <message>
+        <source>Show &amp;reading</source>
+        <translation>&amp;Lesart zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Start view</source>
+        <translation>&amp;Startansicht</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>Vor&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>L&amp;inks</translation>
+    </message>
+    <message>
+        <source>R&amp;ight</source>
+        <translation>Re&amp;chts</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Show everything (F)</source>
+        <translation>Alles zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Hidden edges as dashes (D)</source>
+        <translation>Verdeckte Kanten gestrichelt (D)</translation>
+    </message>
+    <message>
+        <source>Show in the drawing what is read from it (R)</source>
+        <translation>In der Zeichnung zeigen, was aus ihr gelesen wird (R)</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ViewportWidget</name>
+    <message>
+        <source>Drawing surface</source>
+        <translation>Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Draw with the pen or the left mouse button. The middle or right button orbits.</source>
+        <translation>Mit dem Stift oder der linken Maustaste zeichnen. Die mittlere oder rechte Maustaste dreht.</translation>
+    </message>
+</context>
+</TS>

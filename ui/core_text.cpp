@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/core_text.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QRegularExpression>
+#include <vector>
+
+namespace ew {
+
+namespace {
+
+constexpr const char* kContext = "Core";
+
+/// What the core says, with %1, %2 ... for what varies; of two that fit, the earlier one counts.
+constexpr const char* kSentences[] = {
+    QT_TRANSLATE_NOOP("Core",
+                      "A line ends %1 from what it should meet (the distance threshold is %2)."),
+    QT_TRANSLATE_NOOP(
+        "Core", "%1 line ends meet nothing; the nearest gap is %2 (the distance threshold is %3)."),
+    QT_TRANSLATE_NOOP("Core", "The lines enclose nothing: a solid needs closed outlines."),
+    QT_TRANSLATE_NOOP(
+        "Core", "This is a curve; solids are drawn with straight lines (round them afterwards)."),
+    QT_TRANSLATE_NOOP("Core", "This looks like a scribble; no straight lines were found in it."),
+    QT_TRANSLATE_NOOP("Core", "There are only dots here; draw the edges of a solid."),
+    QT_TRANSLATE_NOOP("Core", "These are %1 separate drawings; apply them one at a time."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This corner cannot be right-angled: at a Y all three angles must be over 90 "
+                      "degrees, at an arrow both inner angles under 90 with a sum over 90."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Lines cross at %1 where no corner is; draw visible edges only, or drop a line."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This could be a %1, but an edge is %2 degrees off its parallels (the angle "
+                      "threshold is %3)."),
+    QT_TRANSLATE_NOOP("Core", "The lines fit no %1 closely: they are %2 off on average."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "This could be a %1 or %2, but only without some of the lines; choose it, or draw on."),
+    QT_TRANSLATE_NOOP(
+        "Core", "This could be a %1, but only without some of the lines; choose it, or draw on."),
+    QT_TRANSLATE_NOOP(
+        "Core", "This could be %1, but only without some of the lines; choose it, or draw on."),
+    QT_TRANSLATE_NOOP(
+        "Core", "No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5)."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No template shows %1 and %2 like this. The nearest is %3 (it shows %4)."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No template shows %1 and %2 like this. The nearest is %3, but the lines "
+                      "meet in another way."),
+    QT_TRANSLATE_NOOP("Core", "No template shows %1 and %2 like this."),
+    QT_TRANSLATE_NOOP("Core", "No template matches this drawing."),
+    QT_TRANSLATE_NOOP("Core",
+                      "These lines and the edges that they meet show no template on the solid."),
+    QT_TRANSLATE_NOOP("Core", "There is no template \"%1\" in the library."),
+    QT_TRANSLATE_NOOP("Core", "There are %1 strokes; at most %2 are read at once."),
+    QT_TRANSLATE_NOOP("Core", "There are %1 pending strokes already; apply or clear them first."),
+    QT_TRANSLATE_NOOP("Core", "This can be read as %1; choose one."),
+    QT_TRANSLATE_NOOP("Core", "Nothing is drawn yet."),
+    QT_TRANSLATE_NOOP("Core", "There is no stroke within reach to erase."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to cut."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to add to."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to delete."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to export yet."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to make a template from."),
+    QT_TRANSLATE_NOOP("Core", "A template's faces have no holes; this solid's have."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This drawing cannot be read as that operation; let the program choose it."),
+    QT_TRANSLATE_NOOP("Core", "There is nothing to undo."),
+    QT_TRANSLATE_NOOP("Core", "There is nothing to redo."),
+    QT_TRANSLATE_NOOP("Core", "The stroke to repair is gone."),
+    QT_TRANSLATE_NOOP("Core", "There is no file at %1."),
+    QT_TRANSLATE_NOOP("Core", "The new part lies inside the solid: nothing would change."),
+    QT_TRANSLATE_NOOP("Core", "The part to cut out lies beside the solid: nothing would change."),
+    QT_TRANSLATE_NOOP("Core", "The solid lies inside the part: nothing would change."),
+    QT_TRANSLATE_NOOP("Core", "Nothing of the solid would be left."),
+    QT_TRANSLATE_NOOP("Core", "The two parts have nothing in common."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The new part misses the solid by less than a hair; this would leave a gap "
+                      "or a splinter that nobody can see."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The solid would touch itself along an edge only. Make the new part a little "
+                      "larger or smaller."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The solid would touch itself in a point only. Make the new part a little "
+                      "larger or smaller."),
+    QT_TRANSLATE_NOOP("Core", "One edge that was not drawn was added."),
+    QT_TRANSLATE_NOOP("Core", "%1 edges that were not drawn were added."),
+    QT_TRANSLATE_NOOP("Core", "One line too many was left out."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Parts that cannot be seen from here keep the template's proportions."),
+    QT_TRANSLATE_NOOP(
+        "Core", "The corner has no exact solution; the nearest drawing that has one was taken."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Read as an oblique drawing: the front face is true, the depth is a choice."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The drawing leaves one measure open; the most regular shape was taken."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The drawing leaves %1 measures open; the most regular shape was taken."),
+    QT_TRANSLATE_NOOP("Core", "The solid falls into %1 separate pieces."),
+    QT_TRANSLATE_NOOP("Core", "Join these ends"),
+    QT_TRANSLATE_NOOP("Core", "Raise the threshold to %1"),
+    QT_TRANSLATE_NOOP("Core", "Raise the angle threshold to %1 degrees"),
+    QT_TRANSLATE_NOOP("Core", "Drop this line"),
+    QT_TRANSLATE_NOOP("Core", "Keep the largest drawing"),
+    QT_TRANSLATE_NOOP("Core", "Keep drawing %1"),
+    QT_TRANSLATE_NOOP("Core", "Take it as a %1 all the same"),
+    QT_TRANSLATE_NOOP("Core", "Take the %1"),
+    QT_TRANSLATE_NOOP("Core", "Take: %1"),
+    QT_TRANSLATE_NOOP("Core", "belongs to no region"),
+    QT_TRANSLATE_NOOP("Core", "a dot"),
+    QT_TRANSLATE_NOOP("Core", "a scribble"),
+    QT_TRANSLATE_NOOP("Core", "a curve"),
+    QT_TRANSLATE_NOOP("Core", "gap %1, threshold %2"),
+    QT_TRANSLATE_NOOP("Core", "no right-angled corner looks like this"),
+    QT_TRANSLATE_NOOP("Core", "lines cross"),
+    QT_TRANSLATE_NOOP("Core", "%1 degrees off its parallels"),
+    QT_TRANSLATE_NOOP("Core", "%1 lines meet here"),
+    QT_TRANSLATE_NOOP("Core", "Parallel projection"),
+    QT_TRANSLATE_NOOP("Core", "Nearest parallel projection"),
+    QT_TRANSLATE_NOOP("Core", "Oblique"),
+    QT_TRANSLATE_NOOP("Core", "Most regular"),
+    QT_TRANSLATE_NOOP("Core", "Isosceles"),
+    QT_TRANSLATE_NOOP("Core", "Right-angled"),
+    QT_TRANSLATE_NOOP("Core", "Right-angled corner"),
+    QT_TRANSLATE_NOOP("Core", "Cube"),
+    QT_TRANSLATE_NOOP("Core", "A box: six rectangular faces, any proportions."),
+    QT_TRANSLATE_NOOP("Core", "L-prism"),
+    QT_TRANSLATE_NOOP("Core", "A right prism over an L with right angles only."),
+    QT_TRANSLATE_NOOP("Core", "Triangular prism"),
+    QT_TRANSLATE_NOOP("Core", "A right prism over any triangle."),
+    QT_TRANSLATE_NOOP("Core", "Triangular pyramid"),
+    QT_TRANSLATE_NOOP("Core", "Four triangles, any shape."),
+    QT_TRANSLATE_NOOP("Core", "Wedge frustum"),
+    QT_TRANSLATE_NOOP("Core", "A rectangular pyramid with its top cut off parallel to the base.")};
+
+const QRegularExpression& place() {
+    static const QRegularExpression kPlace(QStringLiteral("%(\\d)"));
+    return kPlace;
+}
+
+/// What stands in the places of sentences only.
+constexpr const char* kParts[] = {
+    QT_TRANSLATE_NOOP("Core", "one place"),   QT_TRANSLATE_NOOP("Core", "%1 places"),
+    QT_TRANSLATE_NOOP("Core", "one corner"),  QT_TRANSLATE_NOOP("Core", "%1 corners"),
+    QT_TRANSLATE_NOOP("Core", "one edge"),    QT_TRANSLATE_NOOP("Core", "%1 edges"),
+    QT_TRANSLATE_NOOP("Core", "%1 more"),     QT_TRANSLATE_NOOP("Core", "%1 fewer"),
+    QT_TRANSLATE_NOOP("Core", "adding a %1"), QT_TRANSLATE_NOOP("Core", "cutting a %1"),
+    QT_TRANSLATE_NOOP("Core", "%1 or %2")};
+
+struct Wording {
+    const char* source;
+    QRegularExpression pattern;
+};
+
+template <std::size_t N>
+std::vector<Wording> wordings(const char* const (&sources)[N]) {
+    std::vector<Wording> all;
+    for (const char* source : sources) {
+        // Its parts are in the order of their numbers.
+        QStringList parts = QString::fromUtf8(source).split(place());
+        for (QString& part : parts) part = QRegularExpression::escape(part);
+        const QString pattern = parts.join(QStringLiteral("(.+?)"));
+        all.push_back({source, QRegularExpression(QRegularExpression::anchoredPattern(pattern))});
+    }
+    return all;
+}
+
+QString translated(const QString& english, bool isPart);
+
+/// Empty where none of the wordings is meant.
+QString translatedBy(const std::vector<Wording>& wordings, const QString& english) {
+    for (const Wording& w : wordings) {
+        const QRegularExpressionMatch match = w.pattern.match(english);
+        if (!match.hasMatch()) continue;
+        const QString wording = QCoreApplication::translate(kContext, w.source);
+        // All places at once: what is put in may hold a percent sign of its own.
+        QString text;
+        qsizetype done = 0;
+        auto places = place().globalMatch(wording);
+        while (places.hasNext()) {
+            const QRegularExpressionMatch at = places.next();
+            text += wording.mid(done, at.capturedStart() - done);
+            text += translated(match.captured(at.captured(1).toInt()), true);
+            done = at.capturedEnd();
+        }
+        return text + wording.mid(done);
+    }
+    return {};
+}
+
+QString translated(const QString& english, bool isPart) {
+    static const std::vector<Wording> kWholes = wordings(kSentences);
+    static const std::vector<Wording> kPieces = wordings(kParts);
+    QString text = translatedBy(kWholes, english);
+    if (text.isEmpty() && isPart) text = translatedBy(kPieces, english);
+    return text.isEmpty() ? english : text;
+}
+
+}  // namespace
+
+QString coreText(const std::string& english) {
+    // Labels are painted with every frame.
+    static QHash<QString, QString> known;
+    static QString language;
+    const QString now = QCoreApplication::translate(kContext, kSentences[0]);
+    constexpr int kMostKnown = 1000;
+    if (language != now || known.size() > kMostKnown) known.clear();
+    language = now;
+    const QString text = QString::fromStdString(english);
+    const auto found = known.constFind(text);
+    if (found != known.cend()) return *found;
+    return *known.insert(text, translated(text, false));
+}
+
+}  // namespace ew

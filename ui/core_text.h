@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <string>
+
+namespace ew {
+
+/// A text of the core (a problem's sentence, a label, a note, the name of a shipped template) in
+/// the language of the window. The core speaks English and knows nothing of Qt, so its sentences
+/// are recognised by their wording; one that is not known stays English, as do the names that
+/// people gave their own templates.
+QString coreText(const std::string& english);
+
+}  // namespace ew
