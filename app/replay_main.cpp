@@ -54,6 +54,7 @@ void tell(const ew::StepReport& step) {
     } else if (step.name != "stroke" && step.name != "camera") {
         std::printf("step %d %s: done\n", step.index, step.name.c_str());
     }
+    for (const std::string& note : step.notes) std::printf("  %s\n", note.c_str());
 }
 
 void tellSolid(const ew::Document& document) {
