@@ -90,9 +90,9 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
     if (!arguments.screenshot.isEmpty()) {
         const auto& camera = document.camera();
         const QSize viewport(static_cast<int>(camera.width), static_cast<int>(camera.height));
-        return ew::takeScreenshot(document,
-                                  {here.absoluteFilePath(arguments.screenshot),
-                                   arguments.size.value_or(viewport), arguments.templates});
+        return ew::takeScreenshot(
+            document, {here.absoluteFilePath(arguments.screenshot),
+                       arguments.size.value_or(viewport), arguments.templates, arguments.look});
     }
     return {};
 }
