@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// edgewright-render DOCUMENT PICTURE.png WxH [TEMPLATES]: draws the viewport of a document, read
-// with the templates of a folder or the usual ones. Needs a display; edgewright-replay starts it
-// for
-// --screenshot. Exit 0: drawn; 2: cannot be drawn; 3: cannot be written.
+// edgewright-render DOCUMENT PICTURE.png WxH [LOOK...] [TEMPLATES]: draws the viewport of a
+// document, read with the templates of a folder or the usual ones. LOOK is any of --transparent,
+// --cage, --hidden-edges, --dark. Needs a display; edgewright-replay starts it for --screenshot.
+// Exit 0: drawn; 2: cannot be drawn; 3: cannot be written.
 #include <QApplication>
 #include <cstdio>
 
@@ -27,9 +27,11 @@ int complain(const std::string& message, int status = kUnusable) {
 int main(int argc, char** argv) {
     ew::prepareApplication();
     const QApplication application(argc, argv);
-    const QStringList arguments = QCoreApplication::arguments().mid(1);
+    QStringList arguments = QCoreApplication::arguments().mid(1);
+    ew::PictureLook look;
+    arguments.removeIf([&](const QString& option) { return ew::readLookOption(option, look); });
     if (arguments.size() != 3 && arguments.size() != 4) {
-        return complain("Usage: edgewright-render DOCUMENT PICTURE.png WxH [TEMPLATES]");
+        return complain("Usage: edgewright-render DOCUMENT PICTURE.png WxH [LOOK...] [TEMPLATES]");
     }
     const auto size = ew::parseSize(arguments[2]);
     if (!size) return complain(size.error().message);
@@ -39,7 +41,7 @@ int main(int argc, char** argv) {
     if (!load) return complain(load.error().message);
     ew::Document document(load->library);
     if (auto ok = document.open(arguments[0]); !ok) return complain(ok.error().message);
-    if (auto ok = ew::renderScreenshot(document, arguments[1], *size); !ok) {
+    if (auto ok = ew::renderScreenshot(document, arguments[1], *size, look); !ok) {
         const bool unwritable = ok.error().code == ew::Errc::CannotWrite;
         return complain(ok.error().message, unwritable ? kCannotWrite : kUnusable);
     }

@@ -54,6 +54,7 @@ void tell(const ew::StepReport& step) {
     } else if (step.name != "stroke" && step.name != "camera") {
         std::printf("step %d %s: done\n", step.index, step.name.c_str());
     }
+    for (const std::string& note : step.notes) std::printf("  %s\n", note.c_str());
 }
 
 void tellSolid(const ew::Document& document) {
@@ -89,9 +90,9 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
     if (!arguments.screenshot.isEmpty()) {
         const auto& camera = document.camera();
         const QSize viewport(static_cast<int>(camera.width), static_cast<int>(camera.height));
-        return ew::takeScreenshot(document,
-                                  {here.absoluteFilePath(arguments.screenshot),
-                                   arguments.size.value_or(viewport), arguments.templates});
+        return ew::takeScreenshot(
+            document, {here.absoluteFilePath(arguments.screenshot),
+                       arguments.size.value_or(viewport), arguments.templates, arguments.look});
     }
     return {};
 }

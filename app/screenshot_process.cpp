@@ -102,6 +102,7 @@ Result<void> takeScreenshot(Document& document, const Picture& picture) {
     if (auto ok = document.save(copy); !ok) return ok;
     const QString size = QString("%1x%2").arg(picture.size.width()).arg(picture.size.height());
     call.arguments = {copy, picture.path, size};
+    call.arguments << lookOptions(picture.look);
     if (picture.templates) call.arguments << QFileInfo(*picture.templates).absoluteFilePath();
 
     const QString display = qEnvironmentVariable("DISPLAY");

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/document/replay_arguments.h"
 
 namespace ew {
 
@@ -14,6 +15,7 @@ struct Picture {
     QString path;                      ///< .png
     QSize size;                        ///< [px]
     std::optional<QString> templates;  ///< folder of the templates in use; not set: the usual ones
+    PictureLook look;
 };
 
 /// Draws the viewport of a document into a file with the program edgewright-render beside this

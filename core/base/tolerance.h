@@ -333,4 +333,8 @@ inline constexpr double kStrangeDirectionCost = 6.0;
 /// own: a corner of a face that lies straight on a crease.
 inline constexpr double kNoNormalSine = 1e-9;
 
+/// Two edges lie on one line, and two faces in one plane, where they are this close [share of the
+/// solid's size; sine of the angle]: an exact boolean moves what it leaves by rounding only.
+inline constexpr double kSameEdgeRelative = 1e-7;
+
 }  // namespace ew::tol

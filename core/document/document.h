@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/camera.h"
+#include "core/document/derived_shape.h"
 #include "core/document/sketch_script.h"
 #include "core/modeling/interpretation.h"
 #include "core/solid/solid.h"
@@ -25,6 +26,8 @@ struct DocumentState {
     std::vector<Body> bodies;
     TemplateLibrary library;                  ///< the T-LIB in use: shipped templates and additions
     std::vector<std::string> addedTemplates;  ///< ids that this document added
+    SurfaceSettings surface;                  ///< fillets and subdivision
+    std::vector<MappedStroke> mapped;         ///< strokes drawn onto the surface
 };
 
 /// A stroke that no command has consumed yet.
@@ -39,6 +42,7 @@ enum class DocumentChange {
     Ink,      ///< pending strokes
     Reading,  ///< the interpretation of the pending strokes (after Ink, Thresholds or Library)
     Bodies,   ///< the solids
+    Shape,    ///< what shape() gives: cage, surface, mapped strokes
     Camera,
     Thresholds,
     Library,
@@ -56,6 +60,24 @@ struct ApplyRequest {
 struct ApplyOutcome {
     Interpretation interpretation;
     int chosen = -1;  ///< index into interpretation.candidates
+};
+
+struct FilletRequest {
+    EdgeChoice edges;
+    double radius = 0.0;          ///< of the rolling ball [mm], > 0
+    std::optional<int> segments;  ///< of all fillets; not set: as they are
+    bool replace = false;         ///< takes the place of the newest command where that was a fillet
+                                  ///< of the same edges, so that a series of drags is one step
+};
+
+struct FilletOutcome {
+    int edges = 0;                     ///< how many were chosen
+    std::vector<ClampedEdge> clamped;  ///< of the whole document
+};
+
+struct MapOutcome {
+    int mapped = 0;  ///< strokes that are on the surface now
+    int missed = 0;  ///< strokes with no surface under them; they stay pending
 };
 
 /// How strokes are read; interpret() unless a test puts another one in.
@@ -106,7 +128,8 @@ class Document : public QObject {
     const Interpretation& interpretationFor(const ApplyRequest& request) const;
     /// The same with one more stroke that is still under way; nothing is stored.
     Interpretation interpretWith(const Stroke& underWay) const;
-    /// The same for a stroke that is drawn through another camera (on the Sketch Plane of earlier ink).
+    /// The same for a stroke that is drawn through another camera (on the Sketch Plane of earlier
+    /// ink).
     Interpretation interpretWith(const Stroke& underWay, const OrthographicCamera& camera) const;
 
     // Commands
@@ -126,6 +149,35 @@ class Document : public QObject {
     Result<void> defineTemplateFromSolid(const std::string& id, const std::string& name);
     /// Removes every body (one undo step). Errc::NoSolid.
     Result<void> deleteBodies();
+
+    // Surface
+    // ------------------------------------------------------------------------------------------
+    /// Rounds edges; a radius that does not fit is clamped edge by edge. A setting: it can be
+    /// changed later, and edges that survive a change of the solid keep theirs. Errors: NoSolid,
+    /// NoEdge, BadValue, and what shape() would have for a problem.
+    Result<FilletOutcome> fillet(const FilletRequest& request);
+    /// Takes the fillets of edges away. NoSolid, NoEdge (also where none is filleted), BadValue.
+    Result<void> sharpen(const EdgeChoice& edges);
+    /// How sharp edges that are not filleted stay in the surface: 0..kInfiniteSharpness or
+    /// kAutomaticSharpness. NoSolid, NoEdge, BadValue and what shape() would have for a problem.
+    Result<void> crease(const EdgeChoice& edges, double sharpness);
+    /// Sets the smooth surface. \param replace as in FilletRequest, for a newest command of the
+    /// same kind. NoSolid, BadValue, TooMuchMemory and what else shape() would have for a problem.
+    Result<void> subdivide(const SubdivisionSettings& settings, bool replace = false);
+    /// Draws the pending strokes onto what is seen of the surface (or cage, or solid) and consumes
+    /// those that have any of it under them. NoSolid, EmptySketch, NoSurface.
+    Result<MapOutcome> mapStrokes(const StrokeColor& color = kDefaultStrokeColor);
+    /// Removes all strokes from the surface. NoStroke.
+    Result<void> unmapStrokes();
+    /// Cage, surface and mapped strokes of the state, derived where they are not known yet.
+    std::shared_ptr<const DerivedShape> shape() const;
+    /// What shape() is derived from, for previews with other settings.
+    ShapeInput shapeInput() const;
+    /// Where shape() looks first; a preview that was made with it need not be made again.
+    const std::shared_ptr<ShapeCache>& shapeCache() const;
+    /// Most bytes of all surfaces together; not part of the file.
+    void setSurfaceMemoryLimit(std::size_t bytes);
+
     Result<void> undo(int count = 1);
     Result<void> redo(int count = 1);
     QUndoStack& undoStack() const;
@@ -139,8 +191,8 @@ class Document : public QObject {
     void reset();
     QString filePath() const;
     bool isModified() const;
-    /// Writes the solid: .obj (planar polygons), .stl (binary), .ply by extension. Errc::NoSolid,
-    /// Errc::UnknownExtension, Errc::CannotWrite.
+    /// Writes the surface, else the filleted cage, else the solid: .obj, .stl, .ply, .glb, .3mf by
+    /// extension. The errors of exportShape().
     Result<void> exportTo(const QString& path) const;
 
     /// All that was done since the document was new, as a script that replays to this state.

@@ -51,6 +51,14 @@ void Document::Private::push(const QString& name, std::shared_ptr<const Document
     stateChanged(*before);
 }
 
+namespace {
+
+bool sameStroke(const MappedStroke& a, const MappedStroke& b) {
+    return a.id == b.id && a.color == b.color;
+}
+
+}  // namespace
+
 void Document::Private::stateChanged(const DocumentState& before) {
     if (before.addedTemplates != state->addedTemplates) emitChange(DocumentChange::Library);
     const bool sameBodies =
@@ -58,6 +66,12 @@ void Document::Private::stateChanged(const DocumentState& before) {
         std::equal(before.bodies.begin(), before.bodies.end(), state->bodies.begin(),
                    [](const Body& a, const Body& b) { return &a.solid.impl() == &b.solid.impl(); });
     if (!sameBodies) emitChange(DocumentChange::Bodies);
+    const bool sameStrokes =
+        before.mapped.size() == state->mapped.size() &&
+        std::equal(before.mapped.begin(), before.mapped.end(), state->mapped.begin(), sameStroke);
+    if (!sameBodies || !sameStrokes || before.surface != state->surface) {
+        emitChange(DocumentChange::Shape);
+    }
     emitChange(DocumentChange::Reading);
     emitChange(DocumentChange::History);
 }
@@ -121,6 +135,11 @@ Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& 
             return fail(Errc::OperationImpossible, "There is no such solid to change.");
         }
         after->bodies[body].solid = *candidate.result;
+        auto& edges = after->surface.edges;
+        if (body < edges.size()) {
+            edges[body] = carriedOver(before.bodies[body].solid, edges[body], *candidate.result);
+            after->surface.tidy();
+        }
         return std::shared_ptr<const DocumentState>(std::move(after));
     }
     auto solid = Solid::fromSpec(candidate.spec);
@@ -357,6 +376,8 @@ Result<void> Document::deleteBodies() {
     if (d_->state->bodies.empty()) return fail(Errc::NoSolid, "There is no solid to delete.");
     auto after = std::make_shared<DocumentState>(*d_->state);
     after->bodies.clear();
+    after->surface = {};
+    after->mapped.clear();
     d_->record(DeleteSolidStep{});
     d_->push(tr("Delete solid"), std::move(after), {});
     return {};

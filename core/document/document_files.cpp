@@ -31,8 +31,8 @@ void Document::Private::adopt(DocumentFile file) {
     savedRevision = ++revision;
     for (const DocumentChange what :
          {DocumentChange::Library, DocumentChange::Thresholds, DocumentChange::Camera,
-          DocumentChange::Bodies, DocumentChange::Ink, DocumentChange::Reading,
-          DocumentChange::History, DocumentChange::File}) {
+          DocumentChange::Bodies, DocumentChange::Shape, DocumentChange::Ink,
+          DocumentChange::Reading, DocumentChange::History, DocumentChange::File}) {
         emitChange(what);
     }
 }
@@ -85,7 +85,8 @@ QString Document::filePath() const { return d_->path; }
 bool Document::isModified() const { return d_->revision != d_->savedRevision; }
 
 Result<void> Document::exportTo(const QString& path) const {
-    return exportBodies(d_->state->bodies, path.toStdString());
+    const auto derived = shape();
+    return exportShape({d_->state->bodies, *derived, d_->state->mapped}, path.toStdString());
 }
 
 SketchScript Document::recordedScript() const { return d_->recorder.script(d_->view); }

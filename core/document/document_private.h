@@ -51,6 +51,12 @@ struct Document::Private {
     mutable std::optional<Interpretation> reading;
     mutable ApplyRequest readingRequest;
 
+    // What follows from the state, for the state that it was derived from.
+    std::shared_ptr<ShapeCache> cache = std::make_shared<ShapeCache>();
+    std::size_t memoryLimit = ShapeInput{}.memoryLimit;
+    mutable std::shared_ptr<const DocumentState> shapeOf;
+    mutable std::shared_ptr<const DerivedShape> shape;
+
     // While Document itself moves the stack, its signal is not taken for the history panel's.
     bool movingStack = false;
     int stackIndex = 0;
@@ -69,6 +75,17 @@ struct Document::Private {
     /// Pushes a command that leads to `after` and takes `consumed` away.
     void push(const QString& name, std::shared_ptr<const DocumentState> after,
               std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);
+    /// Pushes a change of surface settings. \param key  what it changes; where `replace` is set and
+    /// the newest command has the same key, that one is undone first. A change that changes nothing
+    /// is dropped. Errors: DerivedShape::problem of the state that it would lead to.
+    struct Change {
+        QString name;
+        std::string key;
+        bool replace = false;
+        ScriptStep step;
+    };
+    Result<void> pushSettings(const Change& change, SurfaceSettings settings);
+    std::shared_ptr<const DerivedShape> derive(const DocumentState& of) const;
     void onStackMoved(int index);
     void stateChanged(const DocumentState& before);
     void adopt(DocumentFile file);
@@ -87,6 +104,7 @@ class StateCommand : public QUndoCommand {
     std::shared_ptr<const DocumentState> before, after;
     std::vector<PendingStroke> consumed;
     std::shared_ptr<ApplyMemory> memory;  ///< of an apply, where it is known
+    std::string key;                      ///< of a change of settings: what it changes
 
   private:
     Document::Private& document_;

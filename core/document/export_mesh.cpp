@@ -12,8 +12,11 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <map>
+#include <optional>
 #include <random>
+
+#include "core/document/export_3mf.h"
+#include "core/document/export_gltf.h"
 
 namespace ew {
 namespace {
@@ -25,23 +28,53 @@ struct WorldMesh {
     std::vector<Vec3> points;
     std::vector<std::vector<int>> polygons;
     std::vector<std::array<int, 3>> triangles;
+    std::vector<Vec3> normals;  // of a surface, else empty
+    std::vector<std::array<int, 3>> normalTriangles;
 };
 
-Result<std::vector<WorldMesh>> toWorld(const std::vector<Body>& bodies) {
-    std::vector<WorldMesh> out;
-    for (const Body& body : bodies) {
-        WorldMesh mesh;
-        for (const Vec3& p : body.solid.vertices()) {
-            mesh.points.push_back(body.pose.toWorld(p));
-            const Vec3& w = mesh.points.back();
-            if (!w.allFinite() || w.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
-                return fail(Errc::BadValue,
-                            "The solid lies too far out to be written to a mesh file.");
+/// A stroke on the surface.
+struct WorldLine {
+    std::vector<std::vector<Vec3>> pieces;
+    StrokeColor color{};
+};
+
+struct WorldMeshes {
+    std::vector<WorldMesh> bodies;
+    std::vector<WorldLine> lines;
+};
+
+Result<WorldMeshes> toWorld(const MeshSource& source) {
+    WorldMeshes out;
+    for (std::size_t b = 0; b < source.bodies.size(); ++b) {
+        ShapeMesh shape = shapeMesh(source.bodies[b], source.shape.bodies[b]);
+        for (const Vec3& p : shape.positions) {
+            if (p.allFinite() && p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) {
+                continue;
             }
+            return fail(Errc::BadValue, "The solid lies too far out to be written to a mesh file.");
         }
-        mesh.polygons = facePolygons(body.solid);
-        for (const SolidTriangle& t : body.solid.triangles()) mesh.triangles.push_back(t.vertices);
-        out.push_back(std::move(mesh));
+        WorldMesh mesh;
+        mesh.points = std::move(shape.positions);
+        mesh.triangles = std::move(shape.triangles);
+        mesh.normals = std::move(shape.normals);
+        mesh.normalTriangles = std::move(shape.normalTriangles);
+        if (source.shape.bodies[b].surface) {
+            mesh.polygons.reserve(mesh.triangles.size());
+            for (const auto& t : mesh.triangles) mesh.polygons.push_back({t.begin(), t.end()});
+        } else {
+            mesh.polygons = shapePolygons(source.bodies[b], source.shape.bodies[b]);
+        }
+        out.bodies.push_back(std::move(mesh));
+    }
+    out.lines.resize(source.mapped.size());
+    for (std::size_t i = 0; i < source.mapped.size(); ++i) {
+        out.lines[i].color = source.mapped[i].color;
+    }
+    for (const MappedCurve& curve : source.shape.curves) {
+        if (curve.points.size() < 2) continue;  // no format has a line of one point
+        auto& pieces = out.lines[static_cast<std::size_t>(curve.stroke)].pieces;
+        std::vector<Vec3>& piece = pieces.emplace_back();
+        for (const MappedPoint& p : curve.points) piece.push_back(p.position);
     }
     return out;
 }
@@ -54,23 +87,60 @@ std::string number(double value) {
     return {buffer, end.ptr};
 }
 
-std::string objText(const std::vector<WorldMesh>& bodies) {
-    std::string out = "# Edgewright\n";
-    std::size_t base = 1;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        out.append("o body").append(std::to_string(b + 1)).append("\n");
-        for (const Vec3& p : bodies[b].points) {
-            out.append("v ").append(number(p.x())).append(" ").append(number(p.y()));
-            out.append(" ").append(number(p.z())).append("\n");
-        }
-        for (const std::vector<int>& polygon : bodies[b].polygons) {
+void appendPoint(std::string& out, const char* word, const Vec3& p) {
+    out.append(word).append(number(p.x())).append(" ").append(number(p.y()));
+    out.append(" ").append(number(p.z())).append("\n");
+}
+
+void appendFaces(std::string& out, const WorldMesh& body, std::size_t base, std::size_t normals) {
+    if (body.normals.empty()) {
+        for (const std::vector<int>& polygon : body.polygons) {
             out.append("f");
             for (const int i : polygon) {
                 out.append(" ").append(std::to_string(base + static_cast<std::size_t>(i)));
             }
             out.append("\n");
         }
-        base += bodies[b].points.size();
+        return;
+    }
+    const auto& corners = body.normalTriangles.empty() ? body.triangles : body.normalTriangles;
+    for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+        out.append("f");
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.append(" ").append(
+                std::to_string(base + static_cast<std::size_t>(body.triangles[t][k])));
+            out.append("//").append(
+                std::to_string(normals + static_cast<std::size_t>(corners[t][k])));
+        }
+        out.append("\n");
+    }
+}
+
+std::string objText(const WorldMeshes& meshes) {
+    std::string out = "# Edgewright\n";
+    std::size_t base = 1;
+    std::size_t normals = 1;
+    for (std::size_t b = 0; b < meshes.bodies.size(); ++b) {
+        const WorldMesh& body = meshes.bodies[b];
+        out.append("o body").append(std::to_string(b + 1)).append("\n");
+        for (const Vec3& p : body.points) appendPoint(out, "v ", p);
+        for (const Vec3& n : body.normals) appendPoint(out, "vn ", n);
+        appendFaces(out, body, base, normals);
+        base += body.points.size();
+        normals += body.normals.size();
+    }
+    for (std::size_t i = 0; i < meshes.lines.size(); ++i) {
+        if (meshes.lines[i].pieces.empty()) continue;
+        out.append("o stroke").append(std::to_string(i + 1)).append("\n");
+        for (const std::vector<Vec3>& piece : meshes.lines[i].pieces) {
+            for (const Vec3& p : piece) appendPoint(out, "v ", p);
+            out.append("l");
+            for (std::size_t k = 0; k < piece.size(); ++k) {
+                out.append(" ").append(std::to_string(base + k));
+            }
+            out.append("\n");
+            base += piece.size();
+        }
     }
     return out;
 }
@@ -144,62 +214,6 @@ std::string plyBytes(const std::vector<WorldMesh>& bodies) {
     return out;
 }
 
-// Holes -------------------------------------------------------------------------------------------
-
-/// Joins two polygons along the edge a-b of the first; nothing where a point would come twice.
-std::vector<int> joined(const std::vector<int>& first, std::size_t side,
-                        const std::vector<int>& second) {
-    const int a = first[side];
-    const int b = first[(side + 1) % first.size()];
-    std::vector<int> out;
-    for (std::size_t k = 0; k < first.size(); ++k) {
-        out.push_back(first[(side + 1 + k) % first.size()]);  // b ... a
-    }
-    const auto at = std::find(second.begin(), second.end(), a);
-    auto k = static_cast<std::size_t>(at - second.begin());
-    for (k = (k + 1) % second.size(); second[k] != b; k = (k + 1) % second.size()) {
-        out.push_back(second[k]);
-    }
-    std::vector<int> sorted = out;
-    std::sort(sorted.begin(), sorted.end());
-    const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-    return twice ? std::vector<int>() : out;
-}
-
-/// Joins triangles of one face into few simple polygons.
-std::vector<std::vector<int>> joinTriangles(std::vector<std::vector<int>> pieces) {
-    std::map<std::array<int, 2>, std::size_t> pieceAt;  // directed edge -> piece on its left
-    std::vector<std::array<int, 2>> edges;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        for (std::size_t k = 0; k < pieces[p].size(); ++k) {
-            edges.push_back({pieces[p][k], pieces[p][(k + 1) % pieces[p].size()]});
-            pieceAt[edges.back()] = p;
-        }
-    }
-    for (const auto& edge : edges) {
-        const auto back = pieceAt.find({edge[1], edge[0]});
-        const auto here = pieceAt.find(edge);
-        if (here == pieceAt.end() || back == pieceAt.end() || here->second == back->second)
-            continue;
-        const std::size_t keep = here->second;
-        const std::size_t drop = back->second;
-        const auto& piece = pieces[keep];
-        std::size_t side = 0;
-        while (piece[side] != edge[0] || piece[(side + 1) % piece.size()] != edge[1]) ++side;
-        std::vector<int> whole = joined(piece, side, pieces[drop]);
-        if (whole.empty()) continue;
-        pieceAt.erase(here);
-        pieceAt.erase(back);
-        pieces[keep] = std::move(whole);
-        pieces[drop].clear();
-        for (std::size_t k = 0; k < pieces[keep].size(); ++k) {
-            pieceAt[{pieces[keep][k], pieces[keep][(k + 1) % pieces[keep].size()]}] = keep;
-        }
-    }
-    std::erase_if(pieces, [](const std::vector<int>& p) { return p.empty(); });
-    return pieces;
-}
-
 // Writing -----------------------------------------------------------------------------------------
 
 Unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) {
@@ -239,50 +253,75 @@ Result<void> writeWhole(const fs::path& target, const std::string& bytes) {
     return cannotWrite(target, why);
 }
 
-}  // namespace
-
-std::vector<std::vector<int>> facePolygons(const Solid& solid) {
-    std::vector<std::vector<std::vector<int>>> triangles(solid.faces().size());
-    for (const SolidTriangle& t : solid.triangles()) {
-        triangles[static_cast<std::size_t>(t.face)].push_back(
-            {t.vertices.begin(), t.vertices.end()});
-    }
-    std::vector<std::vector<int>> out;
-    for (std::size_t f = 0; f < solid.faces().size(); ++f) {
-        const auto& loops = solid.faces()[f].loops;
-        std::vector<int> sorted = loops[0];
-        std::sort(sorted.begin(), sorted.end());
-        // An outline that meets itself in a point is no simple polygon either.
-        const bool simple = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-        if (loops.size() == 1 && simple) {
-            out.push_back(loops[0]);
-            continue;
-        }
-        for (auto& polygon : joinTriangles(std::move(triangles[f]))) {
-            out.push_back(std::move(polygon));
-        }
+/// 8-bit sRGB to the linear numbers of glTF.
+std::array<double, 3> linearColor(const StrokeColor& color) {
+    std::array<double, 3> out{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double c = color[i] / 255.0;
+        out[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
     }
     return out;
 }
 
-Result<void> exportBodies(const std::vector<Body>& bodies, const std::string& path) {
+Result<std::string> packageBytes(const WorldMeshes& meshes, bool gltf) {
+    std::vector<TriangleMeshView> bodies;
+    for (std::size_t b = 0; b < meshes.bodies.size(); ++b) {
+        const WorldMesh& m = meshes.bodies[b];
+        TriangleMeshView view;
+        view.name = "body" + std::to_string(b + 1);
+        view.positions = m.points;
+        view.triangles = m.triangles;
+        view.normals = m.normals;
+        view.normalTriangles = m.normalTriangles;
+        bodies.push_back(std::move(view));
+    }
+    if (!gltf) return threeMfBytes(bodies);
+    std::vector<PolylineView> lines;
+    for (const WorldLine& line : meshes.lines) {
+        for (const auto& piece : line.pieces) lines.push_back({piece, linearColor(line.color)});
+    }
+    return gltfBytes(bodies, lines);
+}
+
+/// The bytes of the format that an extension names; nothing where it names none.
+std::optional<Result<std::string>> bytesFor(const std::string& extension,
+                                            const WorldMeshes& meshes) {
+    if (extension == ".obj") return objText(meshes);
+    if (extension == ".stl") return stlBytes(meshes.bodies);
+    if (extension == ".ply") return plyBytes(meshes.bodies);
+    if (extension == ".glb" || extension == ".3mf") {
+        return packageBytes(meshes, extension == ".glb");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<void> exportShape(const MeshSource& source, const std::string& path) {
     const fs::path target(std::u8string(path.begin(), path.end()));
     std::string extension = target.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension != ".obj" && extension != ".stl" && extension != ".ply") {
+    if (!bytesFor(extension, {})) {
         std::string text =
             extension.empty() ? "A file name without an extension" : "The extension ";
-        text.append(extension).append(" names no mesh format; use .obj, .stl or .ply.");
+        text.append(extension).append(" names no mesh format; use .obj, .stl, .ply, .glb or .3mf.");
         return fail(Errc::UnknownExtension, std::move(text));
     }
-    if (bodies.empty()) return fail(Errc::NoSolid, "There is no solid to export yet.");
-    const auto meshes = toWorld(bodies);
+    if (source.bodies.empty()) return fail(Errc::NoSolid, "There is no solid to export yet.");
+    if (source.shape.problem) return fail(*source.shape.problem);
+    const auto meshes = toWorld(source);
     if (!meshes) return fail(meshes.error());
-    const std::string bytes = extension == ".obj"   ? objText(*meshes)
-                              : extension == ".stl" ? stlBytes(*meshes)
-                                                    : plyBytes(*meshes);
-    return writeWhole(target, bytes);
+    const auto bytes = *bytesFor(extension, *meshes);
+    if (!bytes) return fail(bytes.error());
+    return writeWhole(target, *bytes);
+}
+
+Result<void> exportBodies(const std::vector<Body>& bodies, const std::string& path) {
+    DerivedShape solids;
+    solids.bodies.resize(bodies.size());
+    const std::vector<MappedStroke> none;
+    return exportShape({bodies, solids, none}, path);
 }
 
 }  // namespace ew

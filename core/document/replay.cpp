@@ -48,9 +48,54 @@ class StepRunner {
         if (readable) report_.interpretation = document_.interpretationFor(request);
         return fail(outcome.error());
     }
-    Result<void> operator()(const FilletStep&) { return notYet("round edges (fillet)"); }
-    Result<void> operator()(const SubdivideStep&) { return notYet("make a smooth surface"); }
-    Result<void> operator()(const MapStrokesStep&) { return notYet("draw strokes on the surface"); }
+    Result<void> operator()(const FilletStep& s) {
+        FilletRequest request;
+        const auto edges = choice(s);
+        if (!edges) return fail(edges.error());
+        request.edges = *edges;
+        request.radius = s.radius;
+        request.segments = s.segments;
+        auto outcome = document_.fillet(request);
+        if (!outcome) return fail(outcome.error());
+        for (const ClampedEdge& c : outcome->clamped) {
+            report_.notes.push_back(clampText(document_.state().bodies, c));
+        }
+        return {};
+    }
+    Result<void> operator()(const SharpenStep& s) {
+        const auto edges = choice(s);
+        if (!edges) return fail(edges.error());
+        return document_.sharpen(*edges);
+    }
+    Result<void> operator()(const CreaseStep& s) {
+        const auto edges = choice(s);
+        if (!edges) return fail(edges.error());
+        return document_.crease(*edges, s.sharpness.value_or(kAutomaticSharpness));
+    }
+    Result<void> operator()(const SubdivideStep& s) {
+        SubdivisionSettings settings;
+        settings.on = s.tolerance || *s.levels > 0;
+        settings.scheme =
+            s.scheme == "loop" ? SubdivisionScheme::Loop : SubdivisionScheme::CatmullClark;
+        settings.levels = s.levels.value_or(settings.levels);
+        settings.tolerance = s.tolerance.value_or(0.0);
+        settings.sharpness = s.crease;
+        settings.sharpCorners = s.sharpCorners;
+        return document_.subdivide(settings);
+    }
+    Result<void> operator()(const MapStrokesStep& s) {
+        const auto color =
+            s.color.empty() ? Result<StrokeColor>(kDefaultStrokeColor) : parseColor(s.color);
+        if (!color) return fail(color.error());
+        const auto outcome = document_.mapStrokes(*color);
+        if (!outcome) return fail(outcome.error());
+        if (outcome->missed > 0) {
+            report_.notes.push_back(std::to_string(outcome->missed) +
+                                    " strokes have no surface under them and stay as they are.");
+        }
+        return {};
+    }
+    Result<void> operator()(const UnmapStrokesStep&) { return document_.unmapStrokes(); }
     Result<void> operator()(const DefineTemplateStep& s) {
         if (s.tmpl) return document_.defineTemplate(*s.tmpl);
         return document_.defineTemplateFromSolid(s.id, s.name);
@@ -84,8 +129,29 @@ class StepRunner {
         if (!result) return fail(result.error());
         return {};
     }
-    static Result<void> notYet(const std::string& what) {
-        return fail(Errc::NotAvailable, "This version cannot " + what + ".");
+    /// The edges that a step names.
+    Result<EdgeChoice> choice(const EdgeWords& words) const {
+        EdgeChoice out;
+        switch (words.which) {
+            case EdgeWords::Which::All:
+                return out;
+            case EdgeWords::Which::Convex:
+                out.which = EdgeChoice::Which::Convex;
+                return out;
+            case EdgeWords::Which::Concave:
+                out.which = EdgeChoice::Which::Concave;
+                return out;
+            case EdgeWords::Which::Near:
+                break;
+        }
+        out.which = EdgeChoice::Which::Picked;
+        for (std::size_t i = 0; i < words.near.size(); ++i) {
+            const int body = i < words.bodies.size() ? words.bodies[i] : -1;
+            const auto edge = nearestEdge(document_.state().bodies, words.near[i], body);
+            if (!edge) return fail(edge.error());
+            out.picked.push_back(*edge);
+        }
+        return out;
     }
 
     Document& document_;
@@ -141,7 +207,7 @@ ReplayReport replay(Document& document, const SketchScript& script, const Replay
     QElapsedTimer clock;
     clock.start();
     if (auto ok = beginReplay(document, script); !ok) {
-        report.steps.push_back({0, "begin", false, 0.0, ok.error(), std::nullopt, -1});
+        report.steps.push_back({0, "begin", false, 0.0, ok.error(), std::nullopt, -1, {}});
         return report;
     }
     int index = 0;

@@ -26,6 +26,7 @@ struct StepReport {
     std::optional<Error> error;                    ///< set where ok is not
     std::optional<Interpretation> interpretation;  ///< of an apply: what was read
     int chosen = -1;                               ///< of an apply that succeeded: which candidate
+    std::vector<std::string> notes;                ///< sentences, e.g. which edges were clamped
 };
 
 struct ReplayReport {

@@ -7,6 +7,13 @@ namespace ew {
 
 namespace {
 
+constexpr std::pair<const char*, bool PictureLook::*> kLookOptions[] = {
+    {"--transparent", &PictureLook::transparent},
+    {"--cage", &PictureLook::cage},
+    {"--hidden-edges", &PictureLook::hiddenEdges},
+    {"--dark", &PictureLook::dark},
+};
+
 constexpr int kLeastPicturePx = 16;
 constexpr int kMostPicturePx = 16'384;
 
@@ -57,6 +64,7 @@ Result<void> ArgumentReader::exports() {
 }
 
 Result<void> ArgumentReader::option(const QString& name) {
+    if (readLookOption(name, out_.look)) return {};
     if (name == "--help" || name == "-h")
         out_.help = true;
     else if (name == "--version")
@@ -110,10 +118,31 @@ Result<ReplayArguments> ArgumentReader::read() {
     if (out_.size && out_.screenshot.isEmpty()) {
         return fail(Errc::BadValue, "--size goes with --screenshot.");
     }
+    if (out_.look != PictureLook{} && out_.screenshot.isEmpty()) {
+        const std::string option = lookOptions(out_.look).front().toStdString();
+        return fail(Errc::BadValue, option + " goes with --screenshot.");
+    }
     return out_;
 }
 
 }  // namespace
+
+bool readLookOption(const QString& name, PictureLook& look) {
+    for (const auto& [option, member] : kLookOptions) {
+        if (name != QLatin1String(option)) continue;
+        look.*member = true;
+        return true;
+    }
+    return false;
+}
+
+QStringList lookOptions(const PictureLook& look) {
+    QStringList out;
+    for (const auto& [option, member] : kLookOptions) {
+        if (look.*member) out << QLatin1String(option);
+    }
+    return out;
+}
 
 Result<QSize> parseSize(const QString& text) {
     static const QRegularExpression pattern("^([0-9]{1,5})x([0-9]{1,5})$");
@@ -138,10 +167,15 @@ QString replayHelp() {
         "\n"
         "  --out DIR              folder for what the script's export steps write; made if it is\n"
         "                         not there (default: the current folder)\n"
-        "  --export FILE ...      write the solid at the end: .obj, .stl or .ply\n"
+        "  --export FILE ...      write the surface, cage or solid at the end: .obj, .stl,\n"
+        "                         .ply, .glb or .3mf\n"
         "  --screenshot FILE.png  write a picture of the viewport at the end (needs a display, or\n"
         "                         Xvfb installed)\n"
         "  --size WxH             size of the picture (default: the script's viewport)\n"
+        "  --transparent          no background and no grid in the picture\n"
+        "  --cage                 the cage over the surface in the picture\n"
+        "  --hidden-edges         hidden edges as dashes in the picture\n"
+        "  --dark                 the picture in the colours of the dark theme\n"
         "  --report FILE.json     write the report\n"
         "  --keep-going           go on after a step that failed\n"
         "  --templates DIR        use the templates of this folder only\n"

@@ -10,6 +10,21 @@
 
 namespace ew {
 
+/// How a picture of the viewport looks.
+struct PictureLook {
+    bool transparent = false;  ///< nothing behind bodies and ink, not even the grid
+    bool cage = false;         ///< the cage is shown over surfaces
+    bool hiddenEdges = false;  ///< as dashes
+    bool dark = false;         ///< colours of the dark theme
+    bool operator==(const PictureLook&) const = default;
+};
+
+/// Sets what one of --transparent, --cage, --hidden-edges, --dark stands for; false where the name
+/// is none of them.
+bool readLookOption(const QString& name, PictureLook& look);
+/// The options that set a look.
+QStringList lookOptions(const PictureLook& look);
+
 /// The command line of edgewright-replay.
 struct ReplayArguments {
     QString script;
@@ -17,6 +32,7 @@ struct ReplayArguments {
     QStringList exports;               ///< relative to the current folder, or absolute
     QString screenshot;                ///< empty: none; relative to the current folder, or absolute
     std::optional<QSize> size;         ///< of the screenshot [px]
+    PictureLook look;                  ///< of the screenshot
     QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
     bool keepGoing = false;

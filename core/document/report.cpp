@@ -2,6 +2,7 @@
 #include "core/document/report.h"
 
 #include <QUndoStack>
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -91,6 +92,7 @@ Json stepJson(const StepReport& step) {
     }
     out["error"] = nullptr;
     if (step.error) out["error"] = errorJson(*step.error);
+    if (!step.notes.empty()) out["notes"] = step.notes;
     return out;
 }
 
@@ -109,6 +111,49 @@ Json solidJson(const std::vector<Body>& bodies) {
             {"area", s.area},
             {"bounds", {vec(s.bounds[0]), vec(s.bounds[1])}},
             {"vertex_positions", positions}};
+}
+
+/// Surface or, without one, the filleted cage of every body together; bodies that have neither
+/// count as they are. Nothing where there is neither.
+Json surfaceJson(const Document& document) {
+    const auto shape = document.shape();
+    const DocumentState& state = document.state();
+    const bool hasSurface = shape->hasSurface();
+    std::size_t triangles = 0;
+    double volume = 0.0;
+    double deviation = 0.0;
+    if (hasSurface || shape->hasCage()) {
+        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+            const ShapeMesh mesh = shapeMesh(state.bodies[b], shape->bodies[b]);
+            triangles += mesh.triangles.size();
+            volume += enclosedVolume(mesh.positions, mesh.triangles);
+            const auto& surface = shape->bodies[b].surface;
+            if (surface) deviation = std::max(deviation, estimatedDeviation(*surface));
+        }
+    }
+    const double tolerance = state.surface.subdivision.tolerance;
+    if (tolerance > 0.0) deviation = std::min(deviation, tolerance);
+    Json clamped = Json::array();
+    for (const ClampedEdge& c : shape->clamped) {
+        clamped.push_back({{"body", c.edge.body},
+                           {"edge", c.edge.edge},
+                           {"requested", c.requested},
+                           {"used", c.used},
+                           {"limiting_edge", c.limitingEdge},
+                           {"limiting_vertex", c.limitingVertex}});
+    }
+    // Closed because fillet() and subdivide() check it, or there would be none.
+    return {{"triangles", triangles},
+            {"closed", true},
+            {"volume", volume},
+            {"max_deviation", deviation},
+            {"kind", hasSurface         ? "surface"
+                     : shape->hasCage() ? "cage"
+                                        : "none"},
+            {"clamped", clamped},
+            {"mapped_strokes", state.mapped.size()},
+            {"mapped_curves", shape->curves.size()},
+            {"problem", shape->problem ? errorJson(*shape->problem) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -142,14 +187,12 @@ std::string writeReport(const Document& document, const ReplayReport& report,
     Json steps = Json::array();
     for (const StepReport& step : report.steps) steps.push_back(stepJson(step));
     const QUndoStack& stack = document.undoStack();
-    // There is no smooth surface over the solid yet; the contract's keys are there all the same.
-    const Json surface{{"triangles", 0}, {"closed", true}, {"volume", 0.0}, {"max_deviation", 0.0}};
     const Json out{{"format", "edgewright-report"},
                    {"version", 1},
                    {"script", scriptName},
                    {"steps", steps},
                    {"solid", solidJson(document.state().bodies)},
-                   {"surface", surface},
+                   {"surface", surfaceJson(document)},
                    {"undo", {{"index", stack.index()}, {"count", stack.count()}}},
                    {"ms_total", report.msTotal}};
     return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -40,21 +40,33 @@ struct ApplyStep {
     Operation operation = Operation::Auto;
     std::optional<double> obliqueFactor;  ///< k of the oblique reading, where it is not 0.5
 };
-struct FilletStep {
+/// Which edges a step is for.
+struct EdgeWords {
     enum class Which { All, Convex, Concave, Near };
     Which which = Which::All;
-    std::vector<Vec3> near;  ///< world points, for Which::Near
-    double radius = 0.0;     ///< [mm], > 0
+    std::vector<Vec3> near;   ///< world points, for Which::Near; each names the nearest edge
+    std::vector<int> bodies;  ///< by point: the body whose edge it names, -1: any; empty: all any
+};
+struct FilletStep : EdgeWords {
+    double radius = 0.0;  ///< [mm], > 0
     std::optional<int> segments;
+};
+struct SharpenStep : EdgeWords {};
+struct CreaseStep : EdgeWords {
+    std::optional<double> sharpness;  ///< 0..10, not set: automatic
 };
 struct SubdivideStep {
     std::string scheme;               ///< "catmull-clark" or "loop"
     std::optional<int> levels;        ///< 0..6
     std::optional<double> tolerance;  ///< [mm], > 0
+    std::optional<double> crease;     ///< 0..10, sharpness of edges that are not filleted; not set:
+                                      ///< automatic
+    bool sharpCorners = false;
 };
 struct MapStrokesStep {
-    std::string color;
+    std::string color;  ///< "#rrggbb", empty: the default
 };
+struct UnmapStrokesStep {};
 struct DefineTemplateStep {
     std::string id, name;
     std::optional<Template> tmpl;  ///< not set: from the solid
@@ -78,8 +90,9 @@ struct ExportStep {
 
 using ScriptStep =
     std::variant<CameraStep, ThresholdsStep, StrokeStep, EraseStep, ClearStep, ApplyStep,
-                 FilletStep, SubdivideStep, MapStrokesStep, DefineTemplateStep, DeleteSolidStep,
-                 UndoStep, RedoStep, SaveStep, OpenStep, ExportStep>;
+                 FilletStep, SharpenStep, CreaseStep, SubdivideStep, MapStrokesStep,
+                 UnmapStrokesStep, DefineTemplateStep, DeleteSolidStep, UndoStep, RedoStep,
+                 SaveStep, OpenStep, ExportStep>;
 
 /// The "do" word of a step.
 std::string_view stepName(const ScriptStep& step);

@@ -7,6 +7,7 @@
 #include "core/document/json_text.h"
 #include "core/document/sketch_script.h"
 #include "core/document/sketch_script_json.h"
+#include "core/document/sketch_script_surface.h"
 #include "core/tlib/template_io.h"
 
 namespace ew {
@@ -23,12 +24,6 @@ double readRange(const json& value, const std::string& place, double least, doub
         throwRead(Errc::BadValue,
                   place + " must be from " + numberText(least) + " to " + numberText(most));
     }
-    return x;
-}
-
-double readPositive(const json& value, const std::string& place) {
-    const double x = readNumber(value, place);
-    if (!(x > 0)) throwRead(Errc::BadValue, place + " must be greater than 0");
     return x;
 }
 
@@ -155,65 +150,6 @@ ScriptStep readApply(const ObjectReader& step) {
     return apply;
 }
 
-ScriptStep readFillet(const ObjectReader& step) {
-    step.allowOnly({"do", "edges", "radius", "segments"});
-    FilletStep fillet;
-    const json& edges = step.require("edges");
-    if (edges.is_string()) {
-        const std::string& word = edges.get_ref<const std::string&>();
-        if (word == "all")
-            fillet.which = FilletStep::Which::All;
-        else if (word == "convex")
-            fillet.which = FilletStep::Which::Convex;
-        else if (word == "concave")
-            fillet.which = FilletStep::Which::Concave;
-        else
-            throwRead(Errc::BadValue, step.at("edges") + " must be all, convex, concave or points");
-    } else {
-        fillet.which = FilletStep::Which::Near;
-        const json::array_t& points = readArray(edges, step.at("edges"));
-        if (points.empty()) throwRead(Errc::BadValue, step.at("edges") + " names no edge");
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            fillet.near.push_back(readVec3(points[i], step.at("edges") + "/" + std::to_string(i)));
-        }
-    }
-    fillet.radius = readPositive(step.require("radius"), step.at("radius"));
-    if (const json* v = step.find("segments")) {
-        fillet.segments = readInt(*v, step.at("segments"), 1, kMaxInt);
-    }
-    return fillet;
-}
-
-ScriptStep readSubdivide(const ObjectReader& step) {
-    step.allowOnly({"do", "scheme", "levels", "tolerance"});
-    SubdivideStep subdivide;
-    subdivide.scheme = readString(step.require("scheme"), step.at("scheme"));
-    if (subdivide.scheme != "catmull-clark" && subdivide.scheme != "loop") {
-        throwRead(Errc::BadValue, step.at("scheme") + " must be catmull-clark or loop");
-    }
-    if (const json* v = step.find("levels")) {
-        subdivide.levels = readInt(*v, step.at("levels"), 0, 6);
-    }
-    if (const json* v = step.find("tolerance")) {
-        subdivide.tolerance = readPositive(*v, step.at("tolerance"));
-    }
-    if (subdivide.levels && subdivide.tolerance) {
-        throwRead(Errc::BadValue, step.place() + ": either \"levels\" or \"tolerance\", not both");
-    }
-    if (!subdivide.levels && !subdivide.tolerance) {
-        throwRead(Errc::MissingKey,
-                  step.place() + ": the key \"levels\" or \"tolerance\" is missing");
-    }
-    return subdivide;
-}
-
-ScriptStep readMapStrokes(const ObjectReader& step) {
-    step.allowOnly({"do", "color"});
-    MapStrokesStep map;
-    if (const json* v = step.find("color")) map.color = readString(*v, step.at("color"));
-    return map;
-}
-
 /// An inline template may leave out what the step says already.
 Template readInlineTemplate(json object, const DefineTemplateStep& step, const std::string& place) {
     if (!object.is_object()) throwRead(Errc::WrongType, place + " must be an object");
@@ -292,9 +228,12 @@ const std::map<std::string_view, StepReader>& stepReaders() {
         {"erase", readErase},
         {"clear", readBare<ClearStep>},
         {"apply", readApply},
-        {"fillet", readFillet},
-        {"subdivide", readSubdivide},
-        {"map_strokes", readMapStrokes},
+        {"fillet", readFilletStep},
+        {"sharpen", readSharpenStep},
+        {"crease", readCreaseStep},
+        {"subdivide", readSubdivideStep},
+        {"map_strokes", readMapStrokesStep},
+        {"unmap_strokes", readBare<UnmapStrokesStep>},
         {"define_template", readDefineTemplate},
         {"delete_solid", readBare<DeleteSolidStep>},
         {"undo", readCounted<UndoStep>},

@@ -41,6 +41,7 @@ std::string body(const CameraStep& s) { return cameraJson(s); }
 std::string body(const EraseStep& s) { return "\"at\": " + vecText(s.at); }
 std::string body(const ClearStep&) { return {}; }
 std::string body(const DeleteSolidStep&) { return {}; }
+std::string body(const UnmapStrokesStep&) { return {}; }
 
 std::string body(const ApplyStep& s) {
     std::string out;
@@ -52,25 +53,43 @@ std::string body(const ApplyStep& s) {
     return out;
 }
 
-std::string body(const FilletStep& s) {
+std::string edgesText(const EdgeWords& s) {
     std::string edges;
     switch (s.which) {
-        case FilletStep::Which::All:
+        case EdgeWords::Which::All:
             edges = "\"all\"";
             break;
-        case FilletStep::Which::Convex:
+        case EdgeWords::Which::Convex:
             edges = "\"convex\"";
             break;
-        case FilletStep::Which::Concave:
+        case EdgeWords::Which::Concave:
             edges = "\"concave\"";
             break;
-        case FilletStep::Which::Near:
-            for (const Vec3& p : s.near) edges += (edges.empty() ? "[" : ", ") + vecText(p);
+        case EdgeWords::Which::Near:
+            for (std::size_t i = 0; i < s.near.size(); ++i) {
+                std::string point = vecText(s.near[i]);
+                const int ofBody = i < s.bodies.size() ? s.bodies[i] : -1;
+                if (ofBody >= 0)
+                    point.replace(point.size() - 1, 1, ", " + std::to_string(ofBody) + "]");
+                edges += (edges.empty() ? "[" : ", ") + point;
+            }
             edges += "]";
             break;
     }
+    return edges;
+}
+
+std::string body(const SharpenStep& s) { return "\"edges\": " + edgesText(s); }
+
+std::string body(const CreaseStep& s) {
+    std::string out = "\"edges\": " + edgesText(s);
+    put(out, "sharpness", s.sharpness ? numberText(*s.sharpness) : "\"auto\"");
+    return out;
+}
+
+std::string body(const FilletStep& s) {
     std::string out;
-    put(out, "edges", edges);
+    put(out, "edges", edgesText(s));
     put(out, "radius", numberText(s.radius));
     if (s.segments) put(out, "segments", std::to_string(*s.segments));
     return out;
@@ -81,6 +100,8 @@ std::string body(const SubdivideStep& s) {
     put(out, "scheme", jsonQuoted(s.scheme));
     if (s.levels) put(out, "levels", std::to_string(*s.levels));
     if (s.tolerance) put(out, "tolerance", numberText(*s.tolerance));
+    if (s.crease) put(out, "crease", numberText(*s.crease));
+    if (s.sharpCorners) put(out, "corners", "\"sharp\"");
     return out;
 }
 
@@ -118,8 +139,11 @@ struct NameOf {
     std::string_view operator()(const ClearStep&) const { return "clear"; }
     std::string_view operator()(const ApplyStep&) const { return "apply"; }
     std::string_view operator()(const FilletStep&) const { return "fillet"; }
+    std::string_view operator()(const SharpenStep&) const { return "sharpen"; }
+    std::string_view operator()(const CreaseStep&) const { return "crease"; }
     std::string_view operator()(const SubdivideStep&) const { return "subdivide"; }
     std::string_view operator()(const MapStrokesStep&) const { return "map_strokes"; }
+    std::string_view operator()(const UnmapStrokesStep&) const { return "unmap_strokes"; }
     std::string_view operator()(const DefineTemplateStep&) const { return "define_template"; }
     std::string_view operator()(const DeleteSolidStep&) const { return "delete_solid"; }
     std::string_view operator()(const UndoStep&) const { return "undo"; }

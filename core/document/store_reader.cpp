@@ -8,6 +8,7 @@
 #include "core/document/recorder.h"
 #include "core/document/sketch_script_json.h"
 #include "core/document/store.h"
+#include "core/document/store_surface.h"
 #include "core/tlib/template_io.h"
 
 namespace ew {
@@ -87,6 +88,7 @@ class DocumentReader {
     void readTables(const ObjectReader& file);
     std::shared_ptr<const DocumentState> readState(const json& value, const std::string& place);
     const TemplateLibrary& libraryFor(const std::vector<int>& templates, const std::string& place);
+    std::vector<MappedStroke> readMapped(const json& value, const std::string& place);
     std::vector<PendingStroke> readStrokes(const json& value, const std::string& place);
 
     const TemplateLibrary& shipped_;
@@ -163,7 +165,7 @@ std::shared_ptr<const DocumentState> DocumentReader::readState(const json& value
                                                                const std::string& place) {
     auto state = std::make_shared<DocumentState>();
     const ObjectReader s(value, place);
-    s.allowOnly({"bodies", "templates"});
+    s.allowOnly({"bodies", "templates", "surface", "mapped"});
     const json::array_t& bodies = readArray(s.require("bodies"), s.at("bodies"));
     const int solidCount = static_cast<int>(solids_.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -184,7 +186,27 @@ std::shared_ptr<const DocumentState> DocumentReader::readState(const json& value
         state->addedTemplates.push_back(templates_[static_cast<std::size_t>(templates.back())].id);
     }
     state->library = libraryFor(templates, place);
+    if (const json* v = s.find("surface")) {
+        state->surface = surfaceFromJson(*v, s.at("surface"), state->bodies);
+    }
+    if (const json* v = s.find("mapped")) state->mapped = readMapped(*v, s.at("mapped"));
     return state;
+}
+
+std::vector<MappedStroke> DocumentReader::readMapped(const json& value, const std::string& place) {
+    std::vector<MappedStroke> mapped;
+    const json::array_t& list = readArray(value, place);
+    const int count = static_cast<int>(strokes_.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const ObjectReader s(list[i], item(place, i));
+        s.allowOnly({"stroke", "color"});
+        const int index = readInt(s.require("stroke"), s.at("stroke"), 0, count - 1);
+        const PendingStroke& stroke = strokes_[static_cast<std::size_t>(index)];
+        const auto color = parseColor(readString(s.require("color"), s.at("color")));
+        if (!color) throwRead(Errc::BadValue, s.at("color") + ": " + color.error().message);
+        mapped.push_back({stroke.id, stroke.stroke, stroke.camera, *color});
+    }
+    return mapped;
 }
 
 std::vector<PendingStroke> DocumentReader::readStrokes(const json& value,

@@ -6,6 +6,7 @@
 #include "core/document/recorder.h"
 #include "core/document/sketch_script_json.h"
 #include "core/document/store.h"
+#include "core/document/store_surface.h"
 #include "core/tlib/template_io.h"
 
 namespace ew {
@@ -98,6 +99,17 @@ class DocumentWriter {
         return out + "]";
     }
 
+    std::string mapped(const std::vector<MappedStroke>& strokes) {
+        std::string out = "[";
+        for (const MappedStroke& s : strokes) {
+            separate(out);
+            const int index = stroke({s.id, s.stroke, s.camera});
+            out += "{\"stroke\": " + std::to_string(index) +
+                   ", \"color\": " + jsonQuoted(colorText(s.color)) + "}";
+        }
+        return out + "]";
+    }
+
     std::string state(const DocumentState& s) {
         std::string bodies = "[";
         for (const Body& b : s.bodies) {
@@ -114,7 +126,10 @@ class DocumentWriter {
             templates += std::to_string(
                 templates_.index(nlohmann::ordered_json::parse(writeTemplate(tmpl)).dump()));
         }
-        return "{\"bodies\": " + bodies + "], \"templates\": " + templates + "]}";
+        std::string out = "{\"bodies\": " + bodies + "], \"templates\": " + templates + "]";
+        if (s.surface != SurfaceSettings{}) out += ", \"surface\": " + surfaceText(s.surface);
+        if (!s.mapped.empty()) out += ", \"mapped\": " + mapped(s.mapped);
+        return out + "}";
     }
 
     Table solids_;

@@ -145,7 +145,8 @@ Read readStl(const std::string& path) {
             out.points.push_back(p);
         }
         const Vec3* p = &out.points[out.points.size() - 3];
-        EXPECT_LT((normal - (p[1] - p[0]).cross(p[2] - p[0]).normalized()).norm(), 1e-4);
+        // The corners are rounded to single precision, which turns a thin triangle a little.
+        EXPECT_LT((normal - (p[1] - p[0]).cross(p[2] - p[0]).normalized()).norm(), 1e-3);
         EXPECT_EQ(take<std::uint16_t>(bytes, at), 0);
     }
     return out;

@@ -83,8 +83,120 @@ std::unique_ptr<Document> fakeDocument() {
     return std::make_unique<Document>(smallLibrary(), &fakeInterpreter);
 }
 
+namespace {
+
+/// Deeds of doSomething() that have to do with the surface.
+void changeSurface(Document& d, int what, int number) {
+    const auto ignore = [](const auto&) {};
+    EdgeChoice edges;
+    edges.which = static_cast<EdgeChoice::Which>(number % 4);
+    for (int i = 0; i <= number % 3; ++i)
+        edges.picked.push_back({number % 2, (number + 5 * i) % 12});
+    const double n = number;
+    switch (what) {
+        case 16: {
+            FilletRequest request{edges, 0.05 + n / 20, std::nullopt, number % 5 == 0};
+            if (number % 3 == 0) request.segments = 1 + number % 4;
+            ignore(d.fillet(request));
+            break;
+        }
+        case 17:
+            ignore(d.mapStrokes({static_cast<std::uint8_t>(number), 0, 99}));
+            break;
+        case 18: {
+            SubdivisionSettings s;
+            s.on = number % 4 != 0;
+            s.scheme = number % 2 == 0 ? SubdivisionScheme::Loop : SubdivisionScheme::CatmullClark;
+            s.levels = 1 + number % 2;
+            if (number % 7 == 0) s.tolerance = 0.5;
+            if (number % 3 == 0) s.sharpness = n / 7;
+            s.sharpCorners = number % 5 == 0;
+            ignore(d.subdivide(s, number % 6 == 0));
+            break;
+        }
+        case 19:
+            ignore(number % 3 == 0 ? d.unmapStrokes() : d.sharpen(edges));
+            break;
+        default:
+            ignore(d.crease(edges, number % 4 == 0 ? kAutomaticSharpness : n / 4));
+            break;
+    }
+}
+
+}  // namespace
+
+void doSomething(Document& d, int what, int number) {
+    const double n = number;
+    const auto ignore = [](const auto&) {};
+    switch (what) {
+        case 0:
+        case 1:
+        case 2:
+            ignore(d.addStroke(line({n / 3, 5}, {n * 1.1, 100 / (1 + n)})));
+            break;
+        case 3:
+        case 4:
+        case 5: {
+            ApplyRequest request;
+            if (number % 2 == 0) request.candidate = 1;
+            ignore(d.apply(request));
+            break;
+        }
+        case 6:
+            ignore(d.undo(1 + number % 3));
+            break;
+        case 7:
+            ignore(d.redo(1 + number % 2));
+            break;
+        case 8:
+            ignore(d.eraseAt({n / 3, 5}));
+            break;
+        case 9: {
+            OrthographicCamera c = d.camera();
+            c.center.x() += 1 / (n + 0.7);
+            c.direction = Vec3(n + 1, 2, -3).normalized();
+            ignore(d.setCamera(c));
+            break;
+        }
+        case 10: {
+            const std::string id = "t" + std::to_string(number % 5);
+            ignore(d.defineTemplate(test::boxTemplate(id, "T \xc3\xa4 " + id)));
+            break;
+        }
+        case 11:
+            ignore(d.chooseReading(number % 2));
+            break;
+        case 12:
+            ignore(d.setThresholds({5 + n / 7, 5 + n / 11}));
+            break;
+        case 13:
+            d.setObliqueFactor(0.1 + n / 50);
+            break;
+        case 14:
+            ignore(d.deleteBodies());
+            break;
+        case 15:
+            d.undoInk();
+            break;
+        default:
+            changeSurface(d, what, number);
+            break;
+    }
+}
+
 bool sameState(const DocumentState& a, const DocumentState& b) {
+    const bool sameMapped = std::equal(
+        a.mapped.begin(), a.mapped.end(), b.mapped.begin(), b.mapped.end(),
+        [](const MappedStroke& x, const MappedStroke& y) {
+            return x.color == y.color && x.camera == y.camera &&
+                   std::equal(x.stroke.samples.begin(), x.stroke.samples.end(),
+                              y.stroke.samples.begin(), y.stroke.samples.end(),
+                              [](const PenSample& p, const PenSample& q) {
+                                  return p.position == q.position && p.pressure == q.pressure;
+                              });
+        });
     return a.addedTemplates == b.addedTemplates && a.library.size() == b.library.size() &&
+           a.surface == b.surface && sameMapped &&
            std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(),
                       [](const Body& x, const Body& y) {
                           return x.solid.identicalTo(y.solid) &&

@@ -30,7 +30,13 @@ TemplateLibrary smallLibrary();
 /// An empty document that reads strokes with fakeInterpreter.
 std::unique_ptr<Document> fakeDocument();
 
-/// True where both have the same solids to the bit, in the same poses, and the same templates.
+/// One random thing that a person can do; what is refused changes nothing.
+/// \param what  0..kDeeds - 1. \param number  0..29, how it is done.
+inline constexpr int kDeeds = 21;
+void doSomething(Document& document, int what, int number);
+
+/// True where both have the same solids to the bit, in the same poses, the same templates,
+/// surface settings and mapped strokes.
 bool sameState(const DocumentState& a, const DocumentState& b);
 
 }  // namespace ew::test

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QUndoStack>
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "core/document/document.h"
@@ -78,6 +79,60 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
     ASSERT_TRUE(d->apply(asking(Operation::Add)));
     EXPECT_EQ(d->undoStack().undoText(), QStringLiteral("Add cube"));
     EXPECT_NEAR(d->state().bodies[0].solid.volume(), 183000 + 25 * 30 * 20, 1);
+}
+
+Vec3 worldEnd(const Body& body, int edge, std::size_t end) {
+    const int v = body.solid.edges()[static_cast<std::size_t>(edge)].ends[end];
+    return body.pose.toWorld(body.solid.vertices()[static_cast<std::size_t>(v)]);
+}
+
+TEST(DocumentModification, FilletsOfTheEdgesThatSurviveStay) {
+    const auto d = withBox();
+    FilletRequest all;
+    all.radius = 5;
+    ASSERT_TRUE(d->fillet(all));
+    const Body box = d->state().bodies[0];
+    const EdgeRef one{0, 7};
+    FilletRequest other;
+    other.edges = {EdgeChoice::Which::Picked, {one}};
+    other.radius = 2;
+    ASSERT_TRUE(d->fillet(other));
+    ASSERT_TRUE(d->crease({EdgeChoice::Which::Picked, {one}}, 4.0));
+
+    draw(*d, linesOnPlane(caseNamed("edge notch by its outline"), d->camera()));
+    ASSERT_TRUE(d->apply());
+    const auto& bodies = d->state().bodies;
+    ASSERT_EQ(bodies[0].solid.edges().size(), 24U);
+    int kept = 0;
+    int changed = 0;
+    for (int e = 0; e < 24; ++e) {
+        const std::array<Vec3, 2> ends{worldEnd(bodies[0], e, 0), worldEnd(bodies[0], e, 1)};
+        int within = -1;  // the edge of the box that it is a part of
+        for (int old = 0; old < 12; ++old) {
+            const Vec3 from = worldEnd(box, old, 0);
+            const Vec3 to = worldEnd(box, old, 1);
+            const auto excess = [&](const Vec3& p) {
+                return (p - from).norm() + (p - to).norm() - (to - from).norm();
+            };
+            if (excess(ends[0]) < 1e-6 && excess(ends[1]) < 1e-6) within = old;
+        }
+        const double radius = d->state().surface.radius({0, e});
+        if (within < 0) {
+            EXPECT_EQ(radius, 0) << "a new edge is sharp";
+            continue;
+        }
+        ++kept;
+        const bool isOther = within == one.edge;
+        changed += isOther;
+        EXPECT_EQ(radius, isOther ? 2 : 5);
+        EXPECT_EQ(d->state().surface.sharpness({0, e}), isOther ? 4 : kAutomaticSharpness);
+    }
+    EXPECT_EQ(kept, 13) << "twelve, one of them in two parts";
+    EXPECT_GE(changed, 1);
+    EXPECT_TRUE(d->shape()->hasCage());
+    EXPECT_FALSE(d->shape()->problem);
+    ASSERT_TRUE(d->undo());
+    EXPECT_EQ(d->state().surface.radius(one), 2);
 }
 
 TEST(DocumentModification, AnImpossibleOperationLeavesSolidAndInk) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <QUndoStack>
 #include <cmath>
@@ -104,6 +105,55 @@ TEST(Document, RecordsAScriptThatLeadsToTheSameState) {
     d->reset();
     EXPECT_TRUE(d->recordedScript().steps.empty());
     EXPECT_FALSE(d->isModified());
+    expectReplays(*d);
+}
+
+TEST(Document, RecordsTheSurface) {
+    const auto d = fakeDocument();
+    draw(*d, 40);
+    ASSERT_TRUE(d->apply());
+    draw(*d, 40);
+    ASSERT_TRUE(d->apply());  // covers the first one
+    FilletRequest all;
+    all.radius = 0.25;
+    all.segments = 3;
+    ASSERT_TRUE(d->fillet(all));
+    for (const double radius : {0.3, 0.4}) {
+        FilletRequest some;
+        some.edges.which = EdgeChoice::Which::Picked;
+        some.edges.picked = {{0, 3}, {1, 3}, {1, 7}};
+        some.radius = radius;
+        some.replace = true;
+        ASSERT_TRUE(d->fillet(some));
+    }
+    ASSERT_TRUE(d->crease({EdgeChoice::Which::Picked, {{1, 2}}}, 2.5));
+    SubdivisionSettings s;
+    s.on = true;
+    s.tolerance = 0.25;
+    s.sharpness = 3;
+    s.sharpCorners = true;
+    ASSERT_TRUE(d->subdivide(s));
+    expectReplays(*d);
+    ASSERT_TRUE(d->sharpen({EdgeChoice::Which::Picked, {{0, 3}, {1, 3}}}));
+    ASSERT_TRUE(d->subdivide({}));
+    ASSERT_TRUE(d->addStroke(line({690, 280}, {700, 285})));
+    OrthographicCamera c;
+    c.direction = Vec3(0, 0, -1);
+    c.up = Vec3(0, 1, 0);
+    ASSERT_TRUE(d->setCamera(c));
+    ASSERT_TRUE(d->addStroke(line({700, 310}, {760, 318})));
+    ASSERT_TRUE(d->mapStrokes({1, 2, 3}));
+    EXPECT_GE(d->state().mapped.size(), 1U);
+    expectReplays(*d);
+    ASSERT_TRUE(d->undo(2));
+    expectReplays(*d);
+}
+
+RC_GTEST_PROP(Document, WhateverIsDoneReplaysToTheSame, ()) {
+    const auto d = fakeDocument();
+    const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
+        rc::gen::pair(rc::gen::inRange(0, test::kDeeds), rc::gen::inRange(0, 30)));
+    for (const auto& [what, number] : steps) test::doSomething(*d, what, number);
     expectReplays(*d);
 }
 

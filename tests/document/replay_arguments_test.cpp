@@ -21,6 +21,18 @@ TEST(ReplayArguments, ReadsAll) {
     EXPECT_TRUE(a->keepGoing);
 }
 
+TEST(ReplayArguments, ReadsHowThePictureLooks) {
+    const auto a = parseReplayArguments(
+        {"s.json", "--screenshot", "p.png", "--transparent", "--hidden-edges"});
+    ASSERT_TRUE(a);
+    EXPECT_TRUE(a->look.transparent && a->look.hiddenEdges);
+    EXPECT_FALSE(a->look.cage || a->look.dark);
+    EXPECT_EQ(lookOptions(a->look), (QStringList{"--transparent", "--hidden-edges"}));
+    for (const QString& option : lookOptions({true, true, true, true})) {
+        EXPECT_TRUE(replayHelp().contains(option)) << option.toStdString();
+    }
+}
+
 TEST(ReplayArguments, HasDefaults) {
     const auto a = parseReplayArguments({"s.json"});
     ASSERT_TRUE(a);
@@ -57,6 +69,7 @@ TEST(ReplayArguments, RefusesTheRest) {
         {{"s.json", "--report", ""}, Errc::BadValue},
         {{"s.json", "t.json"}, Errc::BadValue},
         {{"s.json", "--size", "800x600"}, Errc::BadValue},
+        {{"s.json", "--dark"}, Errc::BadValue},
         {{"s.json", "--screenshot", "p.png", "--size", "800"}, Errc::BadValue},
         {{"s.json", "--screenshot", "p.png", "--size", "8x600"}, Errc::BadValue},
         {{"s.json", "--screenshot", "p.png", "--size", "99999x600"}, Errc::BadValue},

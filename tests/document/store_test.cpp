@@ -15,65 +15,9 @@
 namespace ew {
 namespace {
 
+using test::doSomething;
 using test::fakeDocument;
 using test::line;
-
-/// One random thing that a person can do; what is refused changes nothing.
-void doSomething(Document& d, int what, int number) {
-    const double n = number;
-    const auto ignore = [](const auto&) {};
-    switch (what) {
-        case 0:
-        case 1:
-        case 2:
-            ignore(d.addStroke(line({n / 3, 5}, {n * 1.1, 100 / (1 + n)})));
-            break;
-        case 3:
-        case 4:
-        case 5: {
-            ApplyRequest request;
-            if (number % 2 == 0) request.candidate = 1;
-            ignore(d.apply(request));
-            break;
-        }
-        case 6:
-            ignore(d.undo(1 + number % 3));
-            break;
-        case 7:
-            ignore(d.redo(1 + number % 2));
-            break;
-        case 8:
-            ignore(d.eraseAt({n / 3, 5}));
-            break;
-        case 9: {
-            OrthographicCamera c = d.camera();
-            c.center.x() += 1 / (n + 0.7);
-            c.direction = Vec3(n + 1, 2, -3).normalized();
-            ignore(d.setCamera(c));
-            break;
-        }
-        case 10: {
-            const std::string id = "t" + std::to_string(number % 5);
-            ignore(d.defineTemplate(test::boxTemplate(id, "T \xc3\xa4 " + id)));
-            break;
-        }
-        case 11:
-            ignore(d.chooseReading(number % 2));
-            break;
-        case 12:
-            ignore(d.setThresholds({5 + n / 7, 5 + n / 11}));
-            break;
-        case 13:
-            d.setObliqueFactor(0.1 + n / 50);
-            break;
-        case 14:
-            ignore(d.deleteBodies());
-            break;
-        default:
-            d.undoInk();
-            break;
-    }
-}
 
 void expectSameInk(const Document& a, const Document& b) {
     ASSERT_EQ(a.pendingStrokes().size(), b.pendingStrokes().size());
@@ -106,7 +50,7 @@ void expectSame(const Document& a, const Document& b) {
 RC_GTEST_PROP(Store, SaveAndOpenKeepTheWholeHistory, ()) {
     const auto d = fakeDocument();
     const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
-        rc::gen::pair(rc::gen::inRange(0, 16), rc::gen::inRange(0, 30)));
+        rc::gen::pair(rc::gen::inRange(0, test::kDeeds), rc::gen::inRange(0, 30)));
     for (const auto& [what, number] : steps) doSomething(*d, what, number);
 
     const QTemporaryDir folder;
@@ -138,8 +82,9 @@ RC_GTEST_PROP(Store, SaveAndOpenKeepTheWholeHistory, ()) {
 /// A document with a bit of everything, as the text of its file.
 std::string richText() {
     const auto d = fakeDocument();
-    const std::vector<std::pair<int, int>> steps{{0, 7}, {3, 0}, {9, 4},  {10, 1}, {0, 3}, {0, 2},
-                                                 {3, 4}, {6, 0}, {12, 3}, {13, 9}, {0, 1}};
+    const std::vector<std::pair<int, int>> steps{
+        {0, 7},  {3, 0}, {9, 4},  {10, 1}, {0, 3},  {0, 2},  {3, 4},  {6, 0}, {12, 3},
+        {13, 9}, {0, 5}, {17, 2}, {16, 8}, {16, 3}, {18, 2}, {20, 1}, {0, 1}};
     for (const auto& [what, number] : steps) doSomething(*d, what, number);
     const QTemporaryDir folder;
     const QString path = folder.filePath("d.edgewright");

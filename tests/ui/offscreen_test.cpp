@@ -49,9 +49,9 @@ double distanceOf(QRgb a, const QColor& b) {
 
 class Offscreen : public testing::Test {
   protected:
-    QImage picture(const Document& document, QSize size) {
+    QImage picture(const Document& document, QSize size, const PictureLook& look = {}) {
         const QString path = folder_.filePath("picture.png");
-        const auto done = renderScreenshot(document, path, size);
+        const auto done = renderScreenshot(document, path, size, look);
         EXPECT_TRUE(done) << done.error().message;
         return QImage(path);
     }

@@ -90,7 +90,7 @@ void FrameRenderer::resize(const QSize& devicePixels, double devicePixelRatio) {
     d.mustDraw = true;
 }
 
-void FrameRenderer::render(unsigned framebuffer) {
+void FrameRenderer::render(unsigned framebuffer, bool keepAlpha) {
     Private& d = *d_;
     if (!d.ready) return;
     vtkOpenGLState* state = d.window->GetState();
@@ -114,11 +114,13 @@ void FrameRenderer::render(unsigned framebuffer) {
     state->vtkglDisable(GL_SCISSOR_TEST);
     gl->glDisable(GL_SCISSOR_TEST);
     d.window->BlitDisplayFramebuffer(0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    // Qt composes the widget by its alpha; what VTK left there means nothing.
-    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (!keepAlpha) {
+        // Qt composes the widget by its alpha; what VTK left there means nothing.
+        gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+        gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+        gl->glClear(GL_COLOR_BUFFER_BIT);
+        gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
     state->PopDrawFramebufferBinding();
     gl->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }

@@ -29,7 +29,9 @@ class FrameRenderer {
     void resize(const QSize& devicePixels, double devicePixelRatio);
     /// Draws into a framebuffer object (0 for the window's own). The scene itself is drawn only if
     /// it changed since the last time; else its last picture is copied.
-    void render(unsigned framebuffer);
+    /// \param keepAlpha  the framebuffer gets the alpha of the scene, premultiplied; else it is
+    ///                   opaque.
+    void render(unsigned framebuffer, bool keepAlpha = false);
     void finish();
 
   private:

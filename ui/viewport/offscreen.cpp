@@ -21,8 +21,28 @@ namespace {
 
 constexpr int kSmallest = 16;
 constexpr int kLargest = 16384;
+constexpr int kTilePx = 2048;
 
-Result<QImage> renderScene(const Document& document, const OrthographicCamera& camera, QSize size) {
+const ThemeColours& coloursOf(const PictureLook& look) {
+    return look.dark ? darkColours() : lightColours();
+}
+
+/// Draws a part of the picture. \return false where OpenGL cannot.
+bool drawTile(FrameRenderer& renderer, const QRect& tile, const PictureLook& look, QImage& image) {
+    renderer.resize(tile.size(), 1.0);
+    QOpenGLFramebufferObject target(tile.size(), QOpenGLFramebufferObject::CombinedDepthStencil);
+    if (!target.isValid()) return false;
+    renderer.render(target.handle(), look.transparent);
+    const QImage drawn = target.toImage();
+    if (drawn.isNull()) return false;
+    QPainter painter(&image);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.drawImage(tile.topLeft(), drawn);
+    return true;
+}
+
+Result<QImage> renderScene(const Document& document, const OrthographicCamera& camera, QSize size,
+                           const PictureLook& look) {
     QOffscreenSurface surface;
     surface.create();
     QOpenGLContext context;
@@ -30,7 +50,11 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
         return fail(Errc::NotAvailable, "There is no OpenGL here, so no picture can be made.");
     }
     Scene scene;
-    scene.setBodies(document.state().bodies);
+    scene.setColours(coloursOf(look));
+    scene.setTransparent(look.transparent);
+    scene.setCageVisible(look.cage);
+    scene.setHiddenEdgesVisible(look.hiddenEdges);
+    scene.setShape(document.state().bodies, document.shape(), document.state().mapped);
     scene.setCamera(camera);
     FrameRenderer renderer(
         scene,
@@ -39,26 +63,28 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
         },
         [&] { return QOpenGLContext::currentContext() == &context; }, [] {});
     renderer.initialise();
-    renderer.resize(size, 1.0);
-    QImage image;
-    {
-        QOpenGLFramebufferObject target(size, QOpenGLFramebufferObject::CombinedDepthStencil);
-        if (target.isValid()) {
-            renderer.render(target.handle());
-            image = target.toImage();
+    QImage image(size,
+                 look.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
+    bool drawn = !image.isNull();
+    // Piece by piece: a large picture with several samples a pixel would not fit the card.
+    const QRect all(QPoint(0, 0), size);
+    for (int y = 0; drawn && y < size.height(); y += kTilePx) {
+        for (int x = 0; drawn && x < size.width(); x += kTilePx) {
+            const QRect tile = all & QRect(x, y, kTilePx, kTilePx);
+            scene.setTile(tile);
+            drawn = drawTile(renderer, tile, look, image);
         }
     }
     renderer.finish();
     context.doneCurrent();
-    if (image.isNull()) {
+    if (!drawn) {
         return fail(Errc::NotAvailable, "OpenGL could not make a picture of this size.");
     }
-    return image.convertToFormat(QImage::Format_RGB32);
+    return image;
 }
 
 void paintInk(QPainter& painter, const Document& document, const OrthographicCamera& camera,
-              QSize size) {
-    const ThemeColours& colours = lightColours();
+              const ThemeColours& colours, QSize size) {
     const auto& strokes = document.pendingStrokes();
     if (strokes.empty()) return;
     const Interpretation& reading = document.interpretation();
@@ -79,7 +105,8 @@ void paintInk(QPainter& painter, const Document& document, const OrthographicCam
 
 }  // namespace
 
-Result<void> renderScreenshot(const Document& document, const QString& path, QSize size) {
+Result<void> renderScreenshot(const Document& document, const QString& path, QSize size,
+                              const PictureLook& look) {
     if (size.width() < kSmallest || size.height() < kSmallest || size.width() > kLargest ||
         size.height() > kLargest) {
         return fail(Errc::BadValue, "A picture must be 16 to 16384 pixels wide and high.");
@@ -88,10 +115,10 @@ Result<void> renderScreenshot(const Document& document, const QString& path, QSi
         return fail(Errc::NotAvailable, "A picture needs a display.");
     }
     const OrthographicCamera camera = scaleCamera(document.camera(), size.width(), size.height());
-    auto image = renderScene(document, camera, size);
+    auto image = renderScene(document, camera, size, look);
     if (!image) return fail(image.error());
     QPainter painter(&*image);
-    paintInk(painter, document, camera, size);
+    paintInk(painter, document, camera, coloursOf(look), size);
     painter.end();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !image->save(&file, "PNG") || !file.commit()) {

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/document/replay_arguments.h"
 
 namespace ew {
 
@@ -15,6 +16,7 @@ namespace ew {
 /// or Xvfb) that was prepared by prepareApplication(); no window is shown. \param path  .png;
 /// written whole or not at all. \param size  px, 16..16384 each way. Errors: BadValue for the size,
 /// NotAvailable without OpenGL, CannotWrite.
-Result<void> renderScreenshot(const Document& document, const QString& path, QSize size);
+Result<void> renderScreenshot(const Document& document, const QString& path, QSize size,
+                              const PictureLook& look = {});
 
 }  // namespace ew

@@ -14,16 +14,22 @@
 
 #include "ui/viewport/hidden_line_mapper.h"
 #include "ui/viewport/scene_geometry.h"
+#include "ui/viewport/surface_geometry.h"
 
 namespace ew {
 
 namespace {
 
 constexpr double kEdgeWidthPx = 1.6;
+constexpr double kSoftWidthPx = 1.0;
+constexpr double kCageWidthPx = 1.0;
+constexpr double kChosenWidthPx = 3.2;
 constexpr double kHiddenWidthPx = 1.1;
 constexpr double kGridWidthPx = 1.0;
-constexpr double kEdgeLiftPx = 3.0;  // of depth
+constexpr double kEdgeLiftPx = 3.0;    // of depth
+constexpr double kRibbonLiftPx = 2.0;  // under the edges
 constexpr double kDashPx = 7.0;
+constexpr double kSoftShare = 0.55;  // of the body's colour in quiet lines
 // Dashes are cut anew when the scale differs by more than this factor.
 constexpr double kDashSlack = 1.25;
 
@@ -42,14 +48,29 @@ struct Scene::Private {
     vtkNew<vtkRenderer> renderer;
     vtkNew<vtkActor> grid;
     vtkNew<vtkActor> faces;
+    vtkNew<vtkActor> surfaces;
+    vtkNew<vtkActor> soft;
     vtkNew<vtkActor> edges;
     vtkNew<vtkActor> hidden;
+    vtkNew<vtkActor> ribbons;
+    vtkNew<vtkActor> cage;
+    vtkNew<vtkActor> chosen;
+    vtkNew<vtkActor> chosenBehind;
     vtkNew<vtkPolyDataMapper> gridMapper;
     vtkNew<vtkPolyDataMapper> facesMapper;
+    vtkNew<vtkPolyDataMapper> surfacesMapper;
+    vtkNew<vtkPolyDataMapper> softMapper;
     vtkNew<vtkPolyDataMapper> edgesMapper;
     vtkNew<HiddenLineMapper> hiddenMapper;
+    vtkNew<vtkPolyDataMapper> ribbonsMapper;
+    vtkNew<vtkPolyDataMapper> cageMapper;
+    vtkNew<vtkPolyDataMapper> chosenMapper;
+    vtkNew<HiddenLineMapper> chosenBehindMapper;
 
     std::vector<Body> bodies;
+    std::shared_ptr<const DerivedShape> shape;
+    std::vector<EdgeRef> chosenEdges;
+    LinePieces crisp;  // of the shape, for the dashes
     OrthographicCamera camera;
     const ThemeColours* colours = &lightColours();
     GridLayout layout;
@@ -58,8 +79,11 @@ struct Scene::Private {
     double reach = 1.0;  // of the bodies from the origin
     double dashMm = 0.0;
     double scale = 1.0;
+    QRect tile;
     bool gridVisible = true;
     bool hiddenVisible = false;
+    bool cageVisible = false;
+    bool transparent = false;
     bool cameraSet = false;
     bool changed = true;
 
@@ -81,13 +105,15 @@ struct Scene::Private {
         const double wanted = kDashPx * camera.worldPerPixel;
         if (dashMm > 0.0 && wanted < dashMm * kDashSlack && wanted > dashMm / kDashSlack) return;
         dashMm = wanted;
-        hiddenMapper->SetInputData(dashedGeometry(bodies, origin, dashMm));
+        hiddenMapper->SetInputData(dashedGeometry(crisp, origin, dashMm));
     }
 
     void updateCamera() {
         vtkCamera* c = renderer->GetActiveCamera();
         c->ParallelProjectionOn();
-        const Vec3 centre = camera.center - origin;
+        const QRectF part =
+            tile.isEmpty() ? QRectF(0, 0, camera.width, camera.height) : QRectF(tile);
+        const Vec3 centre = camera.unproject(Vec2(part.center().x(), part.center().y())) - origin;
         const double seen = camera.worldPerPixel * std::max(camera.width, camera.height);
         const double gridReach = 1.5 * kGridCells * layout.spacing;
         const Vec2 gridAway(layout.centre.x() - camera.center.x(),
@@ -100,18 +126,60 @@ struct Scene::Private {
         c->SetFocalPoint(centre.x(), centre.y(), centre.z());
         c->SetPosition(eye.x(), eye.y(), eye.z());
         c->SetViewUp(up.x(), up.y(), up.z());
-        c->SetParallelScale(camera.worldPerPixel * camera.height / 2.0);
+        c->SetParallelScale(camera.worldPerPixel * part.height() / 2.0);
         c->SetClippingRange(0.9 * radius, 3.1 * radius);
         // Towards the eye, which in a parallel projection moves nothing on the screen: where a line
         // covers the border of a face, the face's depth there is only guessed by the card.
         const Vec3 nearer = -camera.direction * (kEdgeLiftPx * camera.worldPerPixel);
-        edges->SetPosition(nearer.x(), nearer.y(), nearer.z());
+        for (vtkActor* lines : {edges.Get(), soft.Get(), cage.Get(), chosen.Get()}) {
+            lines->SetPosition(nearer.x(), nearer.y(), nearer.z());
+        }
+        const Vec3 lift = nearer * (kRibbonLiftPx / kEdgeLiftPx);
+        ribbons->SetPosition(lift.x(), lift.y(), lift.z());
+    }
+
+    void updateCage() {
+        const bool shown = cageVisible && shape && shape->hasSurface();
+        cage->SetVisibility(shown);
+        if (shown) cageMapper->SetInputData(linesGeometry(cageLines(bodies, *shape), origin));
+    }
+
+    void updateChosen() {
+        LinePieces lines;
+        for (const EdgeRef& e : chosenEdges) {
+            const auto body = static_cast<std::size_t>(e.body);
+            const auto edge = static_cast<std::size_t>(e.edge);
+            if (body >= bodies.size() || edge >= bodies[body].solid.edges().size()) continue;
+            const auto& ends = bodies[body].solid.edges()[edge].ends;
+            const auto corner = [&](int i) {
+                const auto v = static_cast<std::size_t>(i);
+                return bodies[body].pose.toWorld(bodies[body].solid.vertices()[v]);
+            };
+            lines.push_back({corner(ends[0]), corner(ends[1])});
+        }
+        chosen->SetVisibility(!lines.empty());
+        chosenBehind->SetVisibility(!lines.empty());
+        const auto data = linesGeometry(lines, origin);
+        chosenMapper->SetInputData(data);
+        chosenBehindMapper->SetInputData(data);
+    }
+
+    void updateBackground() {
+        // Black under the transparent parts: what is drawn over it is premultiplied then.
+        const QColor c = transparent ? QColor(Qt::black) : colours->background;
+        renderer->SetBackground(c.redF(), c.greenF(), c.blueF());
+        renderer->SetBackgroundAlpha(transparent ? 0.0 : 1.0);
+        grid->SetVisibility(gridVisible && !transparent);
     }
 
     void updateWidths() {
-        edges->GetProperty()->SetLineWidth(static_cast<float>(kEdgeWidthPx * scale));
-        hidden->GetProperty()->SetLineWidth(static_cast<float>(kHiddenWidthPx * scale));
-        grid->GetProperty()->SetLineWidth(static_cast<float>(kGridWidthPx * scale));
+        const std::pair<vtkActor*, double> widths[] = {
+            {edges, kEdgeWidthPx},       {soft, kSoftWidthPx}, {hidden, kHiddenWidthPx},
+            {grid, kGridWidthPx},        {cage, kCageWidthPx}, {chosen, kChosenWidthPx},
+            {chosenBehind, kEdgeWidthPx}};
+        for (const auto& [actor, width] : widths) {
+            actor->GetProperty()->SetLineWidth(static_cast<float>(width * scale));
+        }
     }
 
     void addLight(double x, double y, double z, double intensity) {
@@ -126,42 +194,57 @@ struct Scene::Private {
 
 Scene::Scene() : d_(std::make_unique<Private>()) {
     Private& d = *d_;
-    d.grid->SetMapper(d.gridMapper);
-    d.faces->SetMapper(d.facesMapper);
-    d.edges->SetMapper(d.edgesMapper);
-    d.hidden->SetMapper(d.hiddenMapper);
-    makeUnlit(d.grid);
-    makeUnlit(d.edges);
-    makeUnlit(d.hidden);
+    const std::pair<vtkActor*, vtkMapper*> parts[] = {{d.grid, d.gridMapper},
+                                                      {d.faces, d.facesMapper},
+                                                      {d.surfaces, d.surfacesMapper},
+                                                      {d.hidden, d.hiddenMapper},
+                                                      {d.chosenBehind, d.chosenBehindMapper},
+                                                      {d.soft, d.softMapper},
+                                                      {d.edges, d.edgesMapper},
+                                                      {d.ribbons, d.ribbonsMapper},
+                                                      {d.cage, d.cageMapper},
+                                                      {d.chosen, d.chosenMapper}};
+    for (const auto& [actor, mapper] : parts) {
+        actor->SetMapper(mapper);
+        if (actor != d.faces.Get() && actor != d.surfaces.Get()) makeUnlit(actor);
+        d.renderer->AddActor(actor);  // in the order of drawing
+    }
     vtkProperty* look = d.faces->GetProperty();
     look->SetInterpolationToFlat();
     look->SetAmbient(0.46);
     look->SetDiffuse(0.62);
     look->SetSpecular(0.0);
+    vtkProperty* smooth = d.surfaces->GetProperty();
+    smooth->SetInterpolationToPhong();
+    smooth->SetAmbient(0.40);
+    smooth->SetDiffuse(0.66);
+    smooth->SetSpecular(0.10);
+    smooth->SetSpecularPower(24.0);
     // Faces step back in depth by more than half the width of a line, so that an edge is whole even
     // where its face comes nearer from it.
-    d.facesMapper->SetResolveCoincidentTopologyToPolygonOffset();
-    d.facesMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.5, 4.0);
+    for (vtkPolyDataMapper* mapper : {d.facesMapper.Get(), d.surfacesMapper.Get()}) {
+        mapper->SetResolveCoincidentTopologyToPolygonOffset();
+        mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.5, 4.0);
+    }
     d.gridMapper->SetScalarModeToUsePointData();
-    d.renderer->AddActor(d.grid);
-    d.renderer->AddActor(d.faces);
-    d.renderer->AddActor(d.hidden);
-    d.renderer->AddActor(d.edges);
+    d.ribbonsMapper->SetScalarModeToUsePointData();
     d.renderer->AutomaticLightCreationOff();
     d.addLight(-0.4, 0.85, 0.9, 0.85);
     d.addLight(0.9, -0.1, 0.6, 0.14);
     d.updateWidths();
     setColours(lightColours());
-    setBodies({});
+    setShape({}, std::make_shared<const DerivedShape>(), {});
 }
 
 Scene::~Scene() = default;
 
 vtkRenderer* Scene::renderer() const { return d_->renderer; }
 
-void Scene::setBodies(const std::vector<Body>& bodies) {
+void Scene::setShape(const std::vector<Body>& bodies, std::shared_ptr<const DerivedShape> shape,
+                     const std::vector<MappedStroke>& mapped) {
     Private& d = *d_;
     d.bodies = bodies;
+    d.shape = std::move(shape);
     Eigen::AlignedBox3d box;
     for (const Body& body : bodies) {
         for (const Vec3& v : body.solid.vertices()) box.extend(body.pose.toWorld(v));
@@ -170,10 +253,20 @@ void Scene::setBodies(const std::vector<Body>& bodies) {
     d.reach = box.isEmpty() ? 1.0 : std::max(1e-9, box.diagonal().norm() / 2);
     // A hair below the lowest face, which would flicker on the grid otherwise.
     d.ground = box.isEmpty() ? 0.0 : box.min().z() - 1e-3 * d.reach;
-    d.facesMapper->SetInputData(facesGeometry(bodies, d.origin));
-    d.edgesMapper->SetInputData(edgesGeometry(bodies, d.origin));
+    ShapeLines lines = shapeLines(bodies, *d.shape);
+    d.crisp = std::move(lines.crisp);
+    d.facesMapper->SetInputData(flatGeometry(bodies, *d.shape, d.origin));
+    d.surfacesMapper->SetInputData(smoothGeometry(bodies, *d.shape, d.origin));
+    d.edgesMapper->SetInputData(linesGeometry(d.crisp, d.origin));
+    d.softMapper->SetInputData(linesGeometry(lines.soft, d.origin));
+    d.ribbonsMapper->SetInputData(ribbonGeometry(*d.shape, mapped, d.origin));
     d.faces->SetVisibility(!bodies.empty());
-    d.edges->SetVisibility(!bodies.empty());
+    d.surfaces->SetVisibility(d.shape->hasSurface());
+    d.edges->SetVisibility(!d.crisp.empty());
+    d.soft->SetVisibility(!lines.soft.empty());
+    d.ribbons->SetVisibility(!d.shape->curves.empty());
+    d.updateCage();
+    d.updateChosen();
     d.dashMm = 0.0;
     d.layout = {};
     d.updateDashes();
@@ -196,9 +289,13 @@ void Scene::setCamera(const OrthographicCamera& camera) {
 void Scene::setColours(const ThemeColours& colours) {
     Private& d = *d_;
     d.colours = &colours;
-    d.renderer->SetBackground(colours.background.redF(), colours.background.greenF(),
-                              colours.background.blueF());
+    d.updateBackground();
     setColour(d.faces, colours.body);
+    setColour(d.surfaces, colours.body);
+    setColour(d.soft, mixColours(colours.bodyEdge, colours.body, kSoftShare));
+    setColour(d.cage, colours.accent);
+    setColour(d.chosen, colours.accent);
+    setColour(d.chosenBehind, mixColours(colours.accent, colours.body, kSoftShare));
     setColour(d.edges, colours.bodyEdge);
     setColour(d.hidden, colours.hiddenEdge);
     d.rebuildGrid();
@@ -208,7 +305,7 @@ void Scene::setColours(const ThemeColours& colours) {
 void Scene::setGridVisible(bool on) {
     if (on == d_->gridVisible) return;
     d_->gridVisible = on;
-    d_->grid->SetVisibility(on);
+    d_->updateBackground();
     d_->changed = true;
 }
 
@@ -216,6 +313,34 @@ void Scene::setHiddenEdgesVisible(bool on) {
     if (on == d_->hiddenVisible) return;
     d_->hiddenVisible = on;
     d_->updateDashes();
+    d_->changed = true;
+}
+
+void Scene::setChosen(const std::vector<EdgeRef>& edges) {
+    if (edges == d_->chosenEdges) return;
+    d_->chosenEdges = edges;
+    d_->updateChosen();
+    d_->changed = true;
+}
+
+void Scene::setCageVisible(bool on) {
+    if (on == d_->cageVisible) return;
+    d_->cageVisible = on;
+    d_->updateCage();
+    d_->changed = true;
+}
+
+void Scene::setTile(const QRect& tile) {
+    if (tile == d_->tile) return;
+    d_->tile = tile;
+    d_->updateCamera();
+    d_->changed = true;
+}
+
+void Scene::setTransparent(bool on) {
+    if (on == d_->transparent) return;
+    d_->transparent = on;
+    d_->updateBackground();
     d_->changed = true;
 }
 

@@ -2,7 +2,6 @@
 #include "ui/viewport/scene_geometry.h"
 
 #include <vtkCellArray.h>
-#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
@@ -16,94 +15,8 @@ namespace ew {
 namespace {
 
 constexpr double kMinCellPx = 22.0;
-constexpr int kMaxDashesPerEdge = 2000;
-
-/// Two-point lines, gathered.
-class LineSet {
-  public:
-    void add(const Vec3& a, const Vec3& b) {
-        const std::array<vtkIdType, 2> ids{point(a), point(b)};
-        lines_->InsertNextCell(2, ids.data());
-    }
-    vtkIdType point(const Vec3& p) { return points_->InsertNextPoint(p.x(), p.y(), p.z()); }
-
-    vtkSmartPointer<vtkPolyData> take() {
-        auto data = vtkSmartPointer<vtkPolyData>::New();
-        data->SetPoints(points_);
-        data->SetLines(lines_);
-        return data;
-    }
-
-  private:
-    vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
-    vtkSmartPointer<vtkCellArray> lines_ = vtkSmartPointer<vtkCellArray>::New();
-};
-
-template <class Visit>
-void eachEdge(const std::vector<Body>& bodies, const Vec3& origin, Visit visit) {
-    for (const Body& body : bodies) {
-        const auto& vertices = body.solid.vertices();
-        for (const SolidEdge& edge : body.solid.edges()) {
-            visit(
-                Vec3(body.pose.toWorld(vertices[static_cast<std::size_t>(edge.ends[0])]) - origin),
-                Vec3(body.pose.toWorld(vertices[static_cast<std::size_t>(edge.ends[1])]) - origin));
-        }
-    }
-}
 
 }  // namespace
-
-vtkSmartPointer<vtkPolyData> facesGeometry(const std::vector<Body>& bodies, const Vec3& origin) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    auto normals = vtkSmartPointer<vtkFloatArray>::New();
-    normals->SetNumberOfComponents(3);
-    for (const Body& body : bodies) {
-        const auto& vertices = body.solid.vertices();
-        const auto& faces = body.solid.faces();
-        for (const SolidTriangle& triangle : body.solid.triangles()) {
-            const Vec3 n =
-                body.pose.directionToWorld(faces[static_cast<std::size_t>(triangle.face)].normal);
-            std::array<vtkIdType, 3> ids{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto v = static_cast<std::size_t>(triangle.vertices[i]);
-                const Vec3 p = body.pose.toWorld(vertices[v]) - origin;
-                ids[i] = points->InsertNextPoint(p.x(), p.y(), p.z());
-                normals->InsertNextTuple3(n.x(), n.y(), n.z());
-            }
-            cells->InsertNextCell(3, ids.data());
-        }
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    data->GetPointData()->SetNormals(normals);
-    return data;
-}
-
-vtkSmartPointer<vtkPolyData> edgesGeometry(const std::vector<Body>& bodies, const Vec3& origin) {
-    LineSet lines;
-    eachEdge(bodies, origin, [&](const Vec3& a, const Vec3& b) { lines.add(a, b); });
-    return lines.take();
-}
-
-vtkSmartPointer<vtkPolyData> dashedGeometry(const std::vector<Body>& bodies, const Vec3& origin,
-                                            double dashMm) {
-    LineSet lines;
-    eachEdge(bodies, origin, [&](const Vec3& a, const Vec3& b) {
-        const double length = (b - a).norm();
-        const double period = dashMm * (5.0 / 3.0);
-        // Whole dashes with one at either end, so that corners stay marked.
-        const int gaps = std::clamp(static_cast<int>(std::lround((length - dashMm) / period)), 0,
-                                    kMaxDashesPerEdge);
-        const double unit = length / (gaps * (5.0 / 3.0) + 1.0);
-        for (int i = 0; i <= gaps; ++i) {
-            const double start = i * unit * (5.0 / 3.0) / length;
-            lines.add(a + start * (b - a), a + std::min(1.0, start + unit / length) * (b - a));
-        }
-    });
-    return lines.take();
-}
 
 GridLayout gridLayout(const OrthographicCamera& camera, double height) {
     GridLayout layout;

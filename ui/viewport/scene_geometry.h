@@ -4,24 +4,10 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <vector>
-
 #include "core/base/camera.h"
-#include "core/solid/solid.h"
 #include "ui/theme/colours.h"
 
 namespace ew {
-
-/// Triangles of all faces with the face's normal at every corner, world coordinates less `origin`
-/// (the card works in floats).
-vtkSmartPointer<vtkPolyData> facesGeometry(const std::vector<Body>& bodies, const Vec3& origin);
-
-/// One line an edge.
-vtkSmartPointer<vtkPolyData> edgesGeometry(const std::vector<Body>& bodies, const Vec3& origin);
-
-/// Edges cut into dashes. \param dashMm  length of a dash [mm]; gaps are two thirds of it.
-vtkSmartPointer<vtkPolyData> dashedGeometry(const std::vector<Body>& bodies, const Vec3& origin,
-                                            double dashMm);
 
 struct GridLayout {
     double spacing = 0.0;        ///< [mm]: 1, 2 or 5 times a power of ten

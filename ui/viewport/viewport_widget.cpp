@@ -55,7 +55,10 @@ struct ViewportWidget::Private {
     bool hidden = false;
     bool readingShown = true;
     bool overlayStale = true;
-    bool bodiesStale = true;
+    bool shapeStale = true;
+    bool cage = false;
+    std::vector<EdgeRef> chosen;
+    std::optional<ShapePreview> preview;
     bool shownOnce = false;
     double frameMs = 0.0;
 
@@ -137,6 +140,33 @@ void ViewportWidget::setHiddenEdgesVisible(bool on) {
     update();
 }
 
+bool ViewportWidget::cageVisible() const { return d_->cage; }
+
+void ViewportWidget::setCageVisible(bool on) {
+    d_->cage = on;
+    d_->scene.setCageVisible(on);
+    update();
+}
+
+void ViewportWidget::setPreview(std::optional<ShapePreview> preview) {
+    if (!preview && !d_->preview) return;
+    d_->preview = std::move(preview);
+    d_->shapeStale = true;
+    update();
+}
+
+void ViewportWidget::setChosenEdges(const std::vector<EdgeRef>& edges) {
+    d_->chosen = edges;
+    update();
+}
+
+void ViewportWidget::showShape() {
+    Private& d = *d_;
+    d.shapeStale = false;
+    const DocumentState& state = d.document.state();
+    d.scene.setShape(state.bodies, d.preview ? d.preview->shape : d.document.shape(), state.mapped);
+}
+
 void ViewportWidget::setReadingVisible(bool on) {
     d_->readingShown = on;
     d_->overlayStale = true;
@@ -144,7 +174,10 @@ void ViewportWidget::setReadingVisible(bool on) {
 }
 
 void ViewportWidget::onDocumentChanged(DocumentChange what) {
-    if (what == DocumentChange::Bodies) d_->bodiesStale = true;
+    if (what == DocumentChange::Bodies || what == DocumentChange::Shape) {
+        d_->shapeStale = true;
+        d_->preview.reset();
+    }
     // A document or script that was made in another window brings that window's size. Later, when
     // whoever moves the camera is done with it.
     if (what == DocumentChange::Camera || what == DocumentChange::File) {
@@ -193,8 +226,8 @@ void ViewportWidget::paintGL() {
     QElapsedTimer clock;
     clock.start();
     Private& d = *d_;
-    if (d.bodiesStale) d.scene.setBodies(d.document.state().bodies);
-    d.bodiesStale = false;
+    if (d.shapeStale) showShape();
+    d.scene.setChosen(d.chosen);
     d.scene.setCamera(resizeCamera(d.document.camera(), width(), height()));
     d.renderer->render(defaultFramebufferObject());
     paintOverlays();

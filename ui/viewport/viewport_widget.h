@@ -12,6 +12,11 @@ namespace ew {
 class Appearance;
 class LiveReading;
 
+/// A shape that is not the document's (yet).
+struct ShapePreview {
+    std::shared_ptr<const DerivedShape> shape;
+};
+
 /// The drawing surface: the scene by VTK, ink and reading by QPainter on top. Shows a document; it
 /// changes it only by telling it the viewport's size. Pointer input is someone else's business.
 class ViewportWidget : public QOpenGLWidget {
@@ -30,6 +35,13 @@ class ViewportWidget : public QOpenGLWidget {
     bool gridVisible() const;
     bool hiddenEdgesVisible() const;
     bool readingVisible() const;
+    bool cageVisible() const;
+
+    /// Shows another shape of the document's bodies than the document's own; nothing: its own
+    /// again. Gone as soon as the document's shape changes.
+    void setPreview(std::optional<ShapePreview> preview);
+    /// Edges that are marked as chosen.
+    void setChosenEdges(const std::vector<EdgeRef>& edges);
 
     /// Time that the newest frame took in this widget, without the swap [ms].
     double lastFrameMs() const;
@@ -38,6 +50,7 @@ class ViewportWidget : public QOpenGLWidget {
     void setGridVisible(bool on);
     void setHiddenEdgesVisible(bool on);
     void setReadingVisible(bool on);
+    void setCageVisible(bool on);
 
   signals:
     /// After the first picture that shows everything was made.
@@ -54,6 +67,7 @@ class ViewportWidget : public QOpenGLWidget {
     void claimCamera();
     void paintOverlays();
     void releaseGL();
+    void showShape();
 
     struct Private;
     std::unique_ptr<Private> d_;

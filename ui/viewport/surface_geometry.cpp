@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/surface_geometry.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+namespace ew {
+
+namespace {
+
+constexpr int kMaxDashesPerEdge = 2000;
+constexpr int kDiscCorners = 10;     // of the round ends of a stroke
+constexpr double kLeastWidth = 0.3;  // share of the width that the lightest touch has
+constexpr double kSameSide = 0.85;   // cosine up to which two pieces of a ribbon share their sides
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::uint64_t key(int a, int b) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
+           static_cast<std::uint32_t>(b);
+}
+
+Vec3 worldPoint(const Body& body, const std::vector<Vec3>& points, int i) {
+    return body.pose.toWorld(points[at(i)]);
+}
+
+/// Calls visit(from, to, face on the left, face on the right) once an edge of a mesh.
+template <class Visit>
+void eachEdge(const PolyMesh& mesh, const Visit& visit) {
+    std::unordered_map<std::uint64_t, int> left;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        for (int l = 0; l < mesh.loopCount(f); ++l) {
+            const auto loop = mesh.loop(f, l);
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const int a = loop[k];
+                const int b = loop[(k + 1) % loop.size()];
+                const auto twin = left.find(key(b, a));
+                if (twin == left.end()) {
+                    left.emplace(key(a, b), f);
+                } else {
+                    visit(b, a, twin->second, f);
+                    left.erase(twin);
+                }
+            }
+        }
+    }
+}
+
+void addSolidLines(const Body& body, LinePieces& out) {
+    for (const SolidEdge& edge : body.solid.edges()) {
+        out.push_back({worldPoint(body, body.solid.vertices(), edge.ends[0]),
+                       worldPoint(body, body.solid.vertices(), edge.ends[1])});
+    }
+}
+
+/// More than one flat piece across a strip.
+bool isRound(const FilletedCage& cage) {
+    std::unordered_map<int, int> pieces;
+    for (const CageOrigin& origin : cage.origins) {
+        if (origin.kind == CageOrigin::Kind::Strip && ++pieces[origin.index] > 1) return true;
+    }
+    return false;
+}
+
+void addCageLines(const Body& body, const FilletedCage& cage, ShapeLines& out) {
+    const bool round = isRound(cage);
+    eachEdge(cage.mesh, [&](int a, int b, int left, int right) {
+        const CageOrigin& l = cage.origins[at(left)];
+        const CageOrigin& r = cage.origins[at(right)];
+        if (l == r) return;
+        const bool sharp = l.kind == CageOrigin::Kind::Face && r.kind == CageOrigin::Kind::Face;
+        // Two patches that meet are both round.
+        const bool flat =
+            l.kind == CageOrigin::Kind::Face || r.kind == CageOrigin::Kind::Face || !round;
+        if (!flat) return;
+        (sharp || !round ? out.crisp : out.soft)
+            .push_back(
+                {worldPoint(body, cage.mesh.points, a), worldPoint(body, cage.mesh.points, b)});
+    });
+}
+
+/// Edges of the triangles where both sides have their own normals.
+void addCreases(const Body& body, const SurfaceMesh& surface, LinePieces& out) {
+    if (surface.normalTriangles.empty()) return;
+    std::unordered_map<std::uint64_t, std::array<int, 2>> seen;
+    seen.reserve(surface.triangles.size());
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            const int a = surface.triangles[t][k];
+            const int b = surface.triangles[t][next];
+            const int na = surface.normalTriangles[t][k];
+            const int nb = surface.normalTriangles[t][next];
+            const auto twin = seen.find(key(b, a));
+            if (twin == seen.end()) {
+                seen.emplace(key(a, b), std::array<int, 2>{na, nb});
+                continue;
+            }
+            if (twin->second[0] != nb && twin->second[1] != na) {
+                out.push_back({worldPoint(body, surface.positions, a),
+                               worldPoint(body, surface.positions, b)});
+            }
+            seen.erase(twin);
+        }
+    }
+}
+
+/// Points, cells and one array of the triangles that are gathered.
+struct TriangleSet {
+    vtkSmartPointer<vtkPoints> points = vtkSmartPointer<vtkPoints>::New();
+    vtkSmartPointer<vtkCellArray> cells = vtkSmartPointer<vtkCellArray>::New();
+    vtkSmartPointer<vtkFloatArray> normals = vtkSmartPointer<vtkFloatArray>::New();
+
+    TriangleSet() { normals->SetNumberOfComponents(3); }
+    vtkIdType add(const Vec3& p, const Vec3& n) {
+        normals->InsertNextTuple3(n.x(), n.y(), n.z());
+        return points->InsertNextPoint(p.x(), p.y(), p.z());
+    }
+    vtkSmartPointer<vtkPolyData> take() const {
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points);
+        data->SetPolys(cells);
+        data->GetPointData()->SetNormals(normals);
+        return data;
+    }
+};
+
+}  // namespace
+
+// Lines
+// ----------------------------------------------------------------------------------------------
+
+ShapeLines shapeLines(const std::vector<Body>& bodies, const DerivedShape& shape) {
+    ShapeLines out;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const BodyShape& body = shape.bodies[b];
+        if (body.surface)
+            addCreases(bodies[b], *body.surface, out.crisp);
+        else if (body.cage)
+            addCageLines(bodies[b], *body.cage, out);
+        else
+            addSolidLines(bodies[b], out.crisp);
+    }
+    return out;
+}
+
+LinePieces cageLines(const std::vector<Body>& bodies, const DerivedShape& shape) {
+    LinePieces out;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!shape.bodies[b].cage) {
+            addSolidLines(bodies[b], out);
+            continue;
+        }
+        const PolyMesh& mesh = shape.bodies[b].cage->mesh;
+        eachEdge(mesh, [&](int from, int to, int, int) {
+            out.push_back(
+                {worldPoint(bodies[b], mesh.points, from), worldPoint(bodies[b], mesh.points, to)});
+        });
+    }
+    return out;
+}
+
+vtkSmartPointer<vtkPolyData> linesGeometry(const LinePieces& lines, const Vec3& origin) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const auto& line : lines) {
+        std::array<vtkIdType, 2> ids{};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Vec3 p = line[k] - origin;
+            ids[k] = points->InsertNextPoint(p.x(), p.y(), p.z());
+        }
+        cells->InsertNextCell(2, ids.data());
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetLines(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> dashedGeometry(const LinePieces& lines, const Vec3& origin,
+                                            double dashMm) {
+    constexpr double kPeriod = 5.0 / 3.0;  // in dashes
+    LinePieces dashes;
+    for (const auto& [a, b] : lines) {
+        const double length = (b - a).norm();
+        // Whole dashes with one at either end, so that corners stay marked.
+        const int gaps = std::clamp(
+            static_cast<int>(std::lround((length / dashMm - 1.0) / kPeriod)), 0, kMaxDashesPerEdge);
+        const double unit = 1.0 / (gaps * kPeriod + 1.0);
+        for (int i = 0; i <= gaps; ++i) {
+            const double start = i * unit * kPeriod;
+            dashes.push_back({a + start * (b - a), a + std::min(1.0, start + unit) * (b - a)});
+        }
+    }
+    return linesGeometry(dashes, origin);
+}
+
+// Faces
+// ----------------------------------------------------------------------------------------------
+
+vtkSmartPointer<vtkPolyData> flatGeometry(const std::vector<Body>& bodies,
+                                          const DerivedShape& shape, const Vec3& origin) {
+    TriangleSet set;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (shape.bodies[b].surface) continue;
+        const ShapeMesh mesh = shapeMesh(bodies[b], shape.bodies[b]);
+        // All triangles of a face have its normal, however thin one of them is.
+        std::vector<Vec3> normals;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const auto& c = mesh.triangles[t];
+            const Vec3& a = mesh.positions[at(c[0])];
+            if (normals.size() <= at(mesh.faces[t])) {
+                normals.resize(at(mesh.faces[t]) + 1, Vec3::Zero());
+            }
+            normals[at(mesh.faces[t])] +=
+                (mesh.positions[at(c[1])] - a).cross(mesh.positions[at(c[2])] - a);
+        }
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const Vec3 n = normals[at(mesh.faces[t])].normalized();
+            std::array<vtkIdType, 3> ids{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                ids[k] = set.add(mesh.positions[at(mesh.triangles[t][k])] - origin, n);
+            }
+            set.cells->InsertNextCell(3, ids.data());
+        }
+    }
+    return set.take();
+}
+
+vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
+                                            const DerivedShape& shape, const Vec3& origin) {
+    TriangleSet set;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!shape.bodies[b].surface) continue;
+        const ShapeMesh mesh = shapeMesh(bodies[b], shape.bodies[b]);
+        const auto& corners = mesh.normalTriangles.empty() ? mesh.triangles : mesh.normalTriangles;
+        std::unordered_map<std::uint64_t, vtkIdType> pairs;
+        pairs.reserve(mesh.normals.size());
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            std::array<vtkIdType, 3> ids{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int p = mesh.triangles[t][k];
+                const int n = corners[t][k];
+                const auto [it, isNew] = pairs.try_emplace(key(p, n), 0);
+                if (isNew)
+                    it->second = set.add(mesh.positions[at(p)] - origin, mesh.normals[at(n)]);
+                ids[k] = it->second;
+            }
+            set.cells->InsertNextCell(3, ids.data());
+        }
+    }
+    return set.take();
+}
+
+// Ribbons
+// --------------------------------------------------------------------------------------------
+
+namespace {
+
+class Ribbons {
+  public:
+    explicit Ribbons(const Vec3& origin) : origin_(origin) { colours_->SetNumberOfComponents(3); }
+
+    void add(const MappedCurve& curve, const MappedStroke& stroke) {
+        colour_ = stroke.color;
+        const double width = stroke.widthMm();
+        const auto half = [&](const MappedPoint& p) {
+            return 0.5 * width * (kLeastWidth + (1.0 - kLeastWidth) * p.pressure);
+        };
+        const auto& points = curve.points;
+        if (points.empty()) return;
+        std::vector<Piece> pieces;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const Vec3 along = points[i + 1].position - points[i].position;
+            const double length = along.norm();
+            if (length <= 0.0) continue;
+            const Vec3 dir = along / length;
+            // Both points name a triangle; the piece lies in the one that it is parallel to.
+            const bool first =
+                std::abs(points[i].normal.dot(dir)) <= std::abs(points[i + 1].normal.dot(dir));
+            const Vec3& normal = points[first ? i : i + 1].normal;
+            const Vec3 side = normal.cross(dir).normalized();
+            pieces.push_back({i, normal, side, side, side});
+        }
+        disc(points.front().position, points.front().normal, half(points.front()));
+        if (pieces.empty()) return;
+        for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+            Piece& a = pieces[k];
+            Piece& b = pieces[k + 1];
+            if (a.own.dot(b.own) > kSameSide && a.normal.dot(b.normal) > kSameSide) {
+                const Vec3 mean = (a.own + b.own).normalized();
+                a.end = mean;
+                b.start = mean;
+            } else {
+                const MappedPoint& corner = points[b.first];
+                disc(corner.position, a.normal, half(corner));
+                disc(corner.position, b.normal, half(corner));
+            }
+        }
+        for (const Piece& piece : pieces) {
+            const MappedPoint& p = points[piece.first];
+            const MappedPoint& q = points[piece.first + 1];
+            const std::array<vtkIdType, 4> ids{
+                point(p.position - half(p) * piece.start), point(q.position - half(q) * piece.end),
+                point(q.position + half(q) * piece.end), point(p.position + half(p) * piece.start)};
+            cells_->InsertNextCell(4, ids.data());
+        }
+        disc(points.back().position, points.back().normal, half(points.back()));
+    }
+
+    vtkSmartPointer<vtkPolyData> take() const {
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points_);
+        data->SetPolys(cells_);
+        data->GetPointData()->SetScalars(colours_);
+        return data;
+    }
+
+  private:
+    struct Piece {
+        std::size_t first;  // point that it starts at
+        Vec3 normal, own, start, end;
+    };
+
+    vtkIdType point(const Vec3& world) {
+        colours_->InsertNextTuple3(colour_[0], colour_[1], colour_[2]);
+        const Vec3 p = world - origin_;
+        return points_->InsertNextPoint(p.x(), p.y(), p.z());
+    }
+
+    void disc(const Vec3& centre, const Vec3& normal, double radius) {
+        const Vec3 x = normal.unitOrthogonal();
+        const Vec3 y = normal.cross(x);
+        std::array<vtkIdType, kDiscCorners> ids{};
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / kDiscCorners;
+            ids[i] = point(centre + radius * (std::cos(turn) * x + std::sin(turn) * y));
+        }
+        cells_->InsertNextCell(kDiscCorners, ids.data());
+    }
+
+    Vec3 origin_;
+    StrokeColor colour_{};
+    vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
+    vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
+    vtkSmartPointer<vtkUnsignedCharArray> colours_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> ribbonGeometry(const DerivedShape& shape,
+                                            const std::vector<MappedStroke>& mapped,
+                                            const Vec3& origin) {
+    Ribbons ribbons(origin);
+    for (const MappedCurve& curve : shape.curves) {
+        if (at(curve.stroke) < mapped.size()) ribbons.add(curve, mapped[at(curve.stroke)]);
+    }
+    return ribbons.take();
+}
+
+}  // namespace ew
