@@ -305,6 +305,10 @@ inline constexpr double kSkewCost = 6.0;
 /// at the strokes; one by so many no other directions than the model's.
 inline constexpr double kPlainMisfit = 0.5;
 inline constexpr double kUnderstoodMisfit = 2.0;
+/// A line that a careless hand bends turns by no more than this [degrees] and strays from straight
+/// by no more than this fraction of the distance threshold.
+inline constexpr double kCarelessTurnDeg = 40.0;
+inline constexpr double kCarelessBend = 0.7;
 /// Ink that turns by more than this where it meets an edge or a corner of the solid may be bent
 /// there, over the edge [degrees].
 inline constexpr double kFoldDeg = 3.0;

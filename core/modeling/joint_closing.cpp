@@ -28,11 +28,18 @@ class Closing {
   public:
     Closing(const JointGraph& joint, double distancePx) : joint_(joint), distance_(distancePx) {}
 
+    /// How slight turns of ink are taken.
+    enum class Bends {
+        Fold,     ///< where it meets the model it has a corner
+        Wobble,   ///< as it does elsewhere, it only wobbles
+        Careless  ///< so do turns that a steady hand would not make
+    };
+
     /// False where this choice of model edges closes nothing or is no better than a smaller one.
-    /// \param folds  ink that turns slightly where it meets the model has a corner there.
-    bool take(const std::vector<int>& chosen, bool folds) {
-        folds_ = folds;
+    bool take(const std::vector<int>& chosen, Bends bends) {
+        bends_ = bends;
         folded_ = false;
+        bent_ = false;
         chains_.clear();
         for (std::size_t e = 0; e < joint_.inkEdges; ++e) add(joint_.edges[e]);
         for (const int e : chosen) add(joint_.edges[at(e)]);
@@ -43,6 +50,8 @@ class Closing {
 
     /// Did some slight turn on the model make a difference?
     bool folded() const { return folded_; }
+    /// Was there some turn that only a careless hand makes?
+    bool bent() const { return bent_; }
 
     PlaneGraph shape() {
         PlaneGraph plane;
@@ -208,22 +217,31 @@ class Closing {
             const double turn =
                 std::abs(std::atan2(cross2(u, w), u.dot(w))) * 180.0 / std::numbers::pi;
             const double bend = chord.norm() < 1e-9 ? 0.0 : std::abs(cross2(chord.normalized(), u));
-            if (a.modelEdge < 0 &&
-                (turn > tol::kNearlyStraightDeg || bend > 2.0 * tol::kStraightBend * distance_)) {
-                continue;
-            }
             const JointNode& node = joint_.nodes[n];
-            if (a.modelEdge < 0 && turn > tol::kFoldDeg &&
-                (node.modelEdge >= 0 || node.modelVertex >= 0)) {
-                folded_ = true;
-                if (folds_) continue;
-            }
+            const bool onModel = node.modelEdge >= 0 || node.modelVertex >= 0;
+            if (a.modelEdge < 0 && !straight(turn, bend, onModel)) continue;
             a.nodes[1] = b.nodes[1];
             a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
             b.alive = false;
             return true;
         }
         return false;
+    }
+
+    /// May ink that turns by so many degrees, so many px off its chord, be one line?
+    bool straight(double turn, double bend, bool onModel) {
+        if (turn > tol::kNearlyStraightDeg || bend > 2.0 * tol::kStraightBend * distance_) {
+            if (onModel || turn > tol::kCarelessTurnDeg || bend > tol::kCarelessBend * distance_) {
+                return false;
+            }
+            bent_ = true;
+            if (bends_ != Bends::Careless) return false;
+            stray_ += bend;
+            return true;
+        }
+        if (!onModel || turn <= tol::kFoldDeg) return true;
+        folded_ = true;
+        return bends_ != Bends::Fold;
     }
 
     const JointGraph& joint_;
@@ -233,8 +251,9 @@ class Closing {
     std::vector<int> nodes_;
     double stray_ = 0.0;
     int modelEdges_ = 0;
-    bool folds_ = true;
+    Bends bends_ = Bends::Fold;
     bool folded_ = false;
+    bool bent_ = false;
 };
 
 /// A choice of model edges on the way to closing the ink.
@@ -334,12 +353,14 @@ class ClosingSearch {
     }
 
     void emit(const Choice& c) {
-        emit(c, true);
-        if (closing_.folded()) emit(c, false);
+        using Bends = Closing::Bends;
+        bool done = emit(c, Bends::Fold);
+        if (closing_.folded()) done = emit(c, Bends::Wobble) || done;
+        if (!done && closing_.bent()) emit(c, Bends::Careless);
     }
 
-    void emit(const Choice& c, bool folds) {
-        if (!closing_.take(c.edges, folds) || !known_(closing_.shape())) return;
+    bool emit(const Choice& c, Closing::Bends bends) {
+        if (!closing_.take(c.edges, bends) || !known_(closing_.shape())) return false;
         JointReading r = closing_.reading();
         std::vector<std::array<int, 2>> key;
         for (const GraphEdge& e : r.graph.edges) {
@@ -349,6 +370,7 @@ class ClosingSearch {
         }
         std::sort(key.begin(), key.end());
         if (shapes_.insert(std::move(key)).second) found_.push_back(std::move(r));
+        return true;
     }
 
     const JointGraph& joint_;

@@ -28,6 +28,7 @@ struct Option {
     int body = -1;
     double cost = 0.0;
     double leftOutPx = 0.0;  ///< ink that it does not explain
+    bool plain = true;       ///< found among the model's directions
     std::optional<Solid> result;
 };
 
@@ -105,8 +106,13 @@ class Modification {
     };
 
     void read(const ModelView& view, int body) {
-        static const std::vector<ReadingOptions> kReadings{
-            {}, {1.0, 1.3, 0.7}, {0.72, 0.6, 0.2}, {1.3, 1.0, 0.4, 1.8}};
+        static const std::vector<ReadingOptions> kReadings{{},
+                                                           {1.0, 1.3, 0.7},
+                                                           {0.72, 0.6, 0.2},
+                                                           {1.3, 1.0, 0.4, 1.8},
+                                                           {1.3, 1.6, 0.7, 1.8},
+                                                           {1.6, 1.3, 0.7, 2.2},
+                                                           {1.6, 0.8, 0.2, 2.2}};
         // What fits with the model's directions is quick to find and needs no other.
         std::vector<std::vector<Match>> looks;
         for (std::size_t i = 0; i < kReadings.size(); ++i) {
@@ -179,6 +185,7 @@ class Modification {
                 o.match = m.match;
                 o.graph = m.reading.graph;
                 o.body = body;
+                o.plain = plain;
                 found_.push_back(std::move(o));
             }
         }
@@ -257,10 +264,20 @@ class Modification {
 
     /// The same change but for what no hand can tell apart.
     bool sameResult(const Option& o, const Solid& a, const Solid& b) const {
+        if (a.faces().size() != b.faces().size() || a.edges().size() != b.edges().size()) {
+            return false;
+        }
         const double before = options_.bodies[at(o.body)].solid.volume();
-        return a.faces().size() == b.faces().size() && a.edges().size() == b.edges().size() &&
-               std::abs(a.volume() - b.volume()) <=
-                   tol::kSameChange * std::abs(a.volume() - before);
+        const double change = a.volume() - before;
+        const double off = std::abs(a.volume() - b.volume());
+        if (off <= tol::kSameChange * std::abs(change)) return true;
+        if (change * (b.volume() - before) < 0) return false;
+        // Corner by corner within the distance threshold.
+        const double reach = distance_ * options_.camera.worldPerPixel;
+        return std::all_of(a.vertices().begin(), a.vertices().end(), [&](const Vec3& p) {
+            return std::any_of(b.vertices().begin(), b.vertices().end(),
+                               [&](const Vec3& q) { return (p - q).norm() <= reach; });
+        });
     }
 
     void conclude() {
@@ -281,7 +298,10 @@ class Modification {
         const bool rival = found_.size() > 1 && found_[1].cost < best.cost + tol::kClearMargin;
         double ink = 0;
         for (const Segment& s : ink_.segments) ink += s.inkPx;
-        if (!rival && best.leftOutPx <= tol::kMostUnexplained * ink) {
+        // An unsteady hand's lines fit many bodies that turn freely.
+        const bool likely =
+            best.plain || noise_ < kSteadyPx || best.placement.parameters <= kFewParameters;
+        if (!rival && likely && best.leftOutPx <= tol::kMostUnexplained * ink) {
             r.accepted = 0;
             return;
         }
@@ -341,6 +361,8 @@ class Modification {
         return c;
     }
 
+    static constexpr double kSteadyPx = 2.5;
+    static constexpr int kFewParameters = 5;
     static constexpr std::size_t kMostInkEdges = 60;
     static constexpr std::size_t kMostReadings = 12;
     static constexpr std::size_t kMostTried = 12;

@@ -291,6 +291,7 @@ class Placer {
         if (!(out.residualPx <= most())) return std::nullopt;
         out.misfit = misfit(out.points);
         out.open = solution->freedoms;
+        out.parameters = solution->parameters;
         out.cost =
             out.misfit + directions.cost + tol::kStrangeDirectionCost * strangeDirections(out) +
             tol::kFreedomCost * solution->parameters + tol::kUnseenPlaneCost * solution->freedoms +

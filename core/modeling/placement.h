@@ -22,6 +22,7 @@ struct Placement {
     double residualPx = 0.0;  ///< rms distance of line ends to the projected edges
     double misfit = 0.0;      ///< squared distances of line ends over the noise's variance, summed
     int open = 0;             ///< degrees of freedom that only regularity closed
+    int parameters = 0;       ///< degrees of freedom, those included
     double cost = 0.0;        ///< misfit and prices; see RatedCandidate
 };
 

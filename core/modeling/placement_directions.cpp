@@ -21,6 +21,7 @@ struct DrawnClass {
     double length = 0.0;
     std::vector<int> inFaces;  ///< faces of the solid that its edges lie in
     int modelEdge = -1;        ///< one of its edges is this edge of the solid
+    bool related = false;      ///< it has edges in such faces or is perpendicular to what has
 };
 
 struct Choice {
@@ -54,7 +55,13 @@ std::vector<DrawnClass> drawnClasses(const JointReading& reading, const GraphMat
         for (const auto& p : pairs) {
             if (e.faces[0] == p[0] || e.faces[1] == p[0]) {
                 classes[at(e.directionClass)].inFaces.push_back(p[1]);
+                classes[at(e.directionClass)].related = true;
             }
+        }
+    }
+    for (const auto& pair : analysis.perpendicularClasses) {
+        for (std::size_t s = 0; s < 2; ++s) {
+            if (!classes[at(pair[1 - s])].inFaces.empty()) classes[at(pair[s])].related = true;
         }
     }
     return classes;
@@ -76,7 +83,9 @@ class Chooser {
                      0.0, 0.0}};
         }
         std::vector<Choice> out;
-        if (c.length > 0) out = near(c);
+        // The slope of a pyramid's side says nothing of how deep its apex lies: it may look like
+        // any direction.
+        if (c.length > 0 && c.related) out = near(c);
         std::stable_sort(out.begin(), out.end(),
                          [](const Choice& a, const Choice& b) { return a.price < b.price; });
         if (out.size() > kMostChoices) out.resize(kMostChoices);

@@ -103,6 +103,15 @@ bool tooNear(const Vec2& p, const Line2& line, double far) {
     return (off > 1e-6 && off < far) || (end > 1e-6 && end < far);
 }
 
+bool meet(const Line2& l, const Line2& m) {
+    for (const Vec2& p : l) {
+        for (const Vec2& q : m) {
+            if ((p - q).norm() < 1e-6) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 bool ModificationCase::legible() const {
@@ -133,6 +142,7 @@ bool ModificationCase::legible() const {
             const double overlap = std::min(hi, (l[1] - l[0]).norm()) - std::max(lo, 0.0);
             const double apart = std::abs(cross2(u, 0.5 * (m[0] + m[1]) - l[0]));
             if (overlap > 2.0 * far && apart < far && apart > 1e-6) return false;
+            if (std::abs(overlap) < 1.0 && apart > 1e-6 && meet(l, m)) return false;
         }
     }
     return true;
