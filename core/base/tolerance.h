@@ -303,7 +303,7 @@ inline constexpr double kSkewCost = 6.0;
 
 /// A change of a solid whose line ends miss it by so many variances on average needs no other look
 /// at the strokes; one by so many no other directions than the model's.
-inline constexpr double kPlainMisfit = 0.5;
+inline constexpr double kPlainMisfit = 0.9;
 inline constexpr double kUnderstoodMisfit = 2.0;
 /// A line that a careless hand bends turns by no more than this [degrees] and strays from straight
 /// by no more than this fraction of the distance threshold.

@@ -22,30 +22,27 @@ std::vector<ModelDirection> directionsNear(const ModelView& model, const std::ve
         for (const int f : some) {
             add(model.plane(f).normal, ToolEdgeRule::Kind::AlongNormal, f);
         }
-        for (std::size_t e = 0; e < solid.edges().size(); ++e) {
-            const auto& sides = solid.edges()[e].faces;
-            if (!some.contains(sides[0]) && !some.contains(sides[1])) continue;
-            add(model.edgeDirection(static_cast<int>(e)), ToolEdgeRule::Kind::AlongEdge,
-                static_cast<int>(e));
+        for (const int f : some) {
+            for (const int e : model.edgesOf(f)) {
+                add(model.edgeDirection(e), ToolEdgeRule::Kind::AlongEdge, e);
+            }
         }
     };
     const std::set<int> own(faces.begin(), faces.end());
     addAll(own);
     std::set<int> around;
-    for (const SolidEdge& e : solid.edges()) {
-        for (std::size_t s = 0; s < 2; ++s) {
-            if (own.contains(e.faces[s]) && !own.contains(e.faces[1 - s])) {
-                around.insert(e.faces[1 - s]);
+    for (const int f : own) {
+        for (const int e : model.edgesOf(f)) {
+            for (const int g : solid.edges()[static_cast<std::size_t>(e)].faces) {
+                if (!own.contains(g)) around.insert(g);
             }
         }
     }
     addAll(around);
-    for (std::size_t e = 0; e < solid.edges().size(); ++e) {
-        for (const int f : solid.edges()[e].faces) {
-            if (!own.contains(f)) continue;
-            const int ei = static_cast<int>(e);
-            add(model.plane(f).normal.cross(model.edgeDirection(ei)).normalized(),
-                ToolEdgeRule::Kind::AcrossEdge, ei, f);
+    for (const int f : own) {
+        for (const int e : model.edgesOf(f)) {
+            add(model.plane(f).normal.cross(model.edgeDirection(e)).normalized(),
+                ToolEdgeRule::Kind::AcrossEdge, e, f);
         }
     }
     return known;

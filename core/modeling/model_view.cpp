@@ -21,6 +21,12 @@ ModelView::ModelView(const Body& body, const OrthographicCamera& camera, SolidVi
     : body_(body), camera_(camera), view_(std::move(view)), pieces_(view_.visiblePieces()) {
     toCamera_ = camera_.cameraToWorld().transpose() * body_.pose.rotation;
     const auto bounds = body_.solid.bounds();
+    faceEdges_.resize(body_.solid.faces().size());
+    for (std::size_t e = 0; e < body_.solid.edges().size(); ++e) {
+        for (const int f : body_.solid.edges()[e].faces) {
+            faceEdges_[at(f)].push_back(static_cast<int>(e));
+        }
+    }
     tolerance_ = tol::kPlanarRelative * (bounds[1] - bounds[0]).norm();
 }
 

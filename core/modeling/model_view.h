@@ -34,6 +34,9 @@ class ModelView {
     Vec3 edgeDirection(int edge) const;      ///< unit, camera space
     Vec3 toBody(const Vec3& camera) const;   ///< [mm]
     std::optional<int> faceAt(const Vec2& px) const;
+    const std::vector<int>& edgesOf(int face) const {
+        return faceEdges_[static_cast<std::size_t>(face)];
+    }
     /// Does an edge lie in the plane of a face?
     bool edgeInFace(int edge, int face) const;
     bool vertexInFace(int vertex, int face) const;
@@ -45,6 +48,7 @@ class ModelView {
     OrthographicCamera camera_;
     SolidView view_;
     std::vector<VisiblePiece> pieces_;
+    std::vector<std::vector<int>> faceEdges_;
     Mat3 toCamera_ = Mat3::Identity();
     double tolerance_ = 0.0;  ///< [mm]
 };

@@ -223,7 +223,11 @@ class Modification {
         std::vector<Option> done;
         std::size_t tried = 0;
         for (Option& o : found_) {
-            if (done.size() >= at(options_.maxCandidates) || ++tried > kMostTried) break;
+            if (done.size() >= at(options_.maxCandidates) || tried == kMostTried) break;
+            // What costs that much more is no other reading.
+            if (!done.empty() && o.cost > done.front().cost + kFarDearer) break;
+            if (repeats(o, done)) continue;
+            ++tried;
             const Solid& target = options_.bodies[at(o.body)].solid;
             auto tool = makeTool(target, o.placement.tool);
             if (!tool) {
@@ -251,6 +255,21 @@ class Modification {
             done.push_back(std::move(o));
         }
         found_ = std::move(done);
+    }
+
+    /// Is it a body that was made already? Several looks at the strokes often end in the same.
+    static bool repeats(const Option& o, const std::vector<Option>& done) {
+        constexpr double kSamePx = 0.01;
+        return std::any_of(done.begin(), done.end(), [&](const Option& d) {
+            const CameraPoints& p = o.placement.points;
+            const CameraPoints& q = d.placement.points;
+            return d.body == o.body && d.placement.operation == o.placement.operation &&
+                   d.match.entry == o.match.entry &&
+                   std::all_of(p.begin(), p.end(), [&](const Vec3& x) {
+                       return std::any_of(q.begin(), q.end(),
+                                          [&](const Vec3& y) { return (x - y).norm() < kSamePx; });
+                   });
+        });
     }
 
     /// The reason that is told is that of the best option.
@@ -361,6 +380,7 @@ class Modification {
         return c;
     }
 
+    static constexpr double kFarDearer = 40.0;
     static constexpr double kSteadyPx = 2.5;
     static constexpr int kFewParameters = 5;
     static constexpr std::size_t kMostInkEdges = 60;
