@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "tests/support/modification_cases.h"
@@ -51,6 +52,53 @@ TEST(Modification, ExactStrokesOnABoxGiveTheExactSolid) {
             expectRight(c, interpret(exactStrokes(linesOnPlane(c)), library(), o));
         }
     }
+}
+
+/// The cases of a target from the first two cameras from which each is legible.
+std::vector<ModificationCase> legibleCases(std::vector<ModificationCase> (*of)(int)) {
+    std::map<std::string, int> taken;
+    std::vector<ModificationCase> cases;
+    for (int view = 0; view < kModificationViews; ++view) {
+        for (ModificationCase& c : of(view)) {
+            if (taken[c.name] < 2 && c.legible()) {
+                ++taken[c.name];
+                cases.push_back(std::move(c));
+            }
+        }
+    }
+    return cases;
+}
+
+void expectAllRight(const std::vector<ModificationCase>& cases) {
+    for (const ModificationCase& c : cases) {
+        SCOPED_TRACE(c.scene + ", view " + std::to_string(c.view));
+        InterpretOptions o;
+        o.camera = c.camera;
+        o.bodies = {c.target};
+        expectRight(c, interpret(exactStrokes(linesOnPlane(c)), library(), o));
+    }
+}
+
+TEST(Modification, FromOtherCameras) {
+    expectAllRight(legibleCases([](int view) { return boxModifications({}, view); }));
+}
+
+TEST(Modification, AfterTenEarlierModifications) {
+    const auto cases = legibleCases(workedBoxModifications);
+    EXPECT_GE(cases.size(), 40u);
+    expectAllRight(cases);
+}
+
+TEST(Modification, OnThePrismsSlopeAndEnd) {
+    const auto cases = legibleCases(prismModifications);
+    EXPECT_GE(cases.size(), 12u);
+    expectAllRight(cases);
+}
+
+TEST(Modification, AgainstWallsBetweenBossesAndIntoHollows) {
+    const auto cases = legibleCases(jointModifications);
+    EXPECT_GE(cases.size(), 20u);
+    expectAllRight(cases);
 }
 
 TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {

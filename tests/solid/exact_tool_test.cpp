@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,45 @@ TEST(ExactTool, ABossStandsInThePlaneOfATurnedFace) {
     ASSERT_TRUE(out) << out.error().message;
     expectCounts(out->solid, 16, 24, 11);
     EXPECT_NEAR(out->solid.volume(), 25000.0, 1e-6);
+}
+
+TEST(ExactTool, AWallRunsAcrossAnEdgeOfItsFace) {
+    const Solid target = turnedBox();
+    const int top = faceTowards(target, Vec3::UnitZ());
+    int edge = -1;
+    for (std::size_t e = 0; e < target.edges().size(); ++e) {
+        const auto& faces = target.edges()[e].faces;
+        if (faces[0] == top || faces[1] == top) edge = static_cast<int>(e);
+    }
+    const auto& ends = target.edges()[static_cast<std::size_t>(edge)].ends;
+    const Vec3 along = (target.vertices()[static_cast<std::size_t>(ends[1])] -
+                        target.vertices()[static_cast<std::size_t>(ends[0])])
+                           .normalized();
+    const Vec3 normal = target.faces()[static_cast<std::size_t>(top)].normal;
+    ToolSpec spec;
+    spec.shape = turned(box(Vec3(1, 1, 2), Vec3(2, 2, 3)));
+    spec.faces = {{0, ToolFaceRule::Kind::InFace, top}};
+    // The sides that cross the edge lean a little before they are told not to.
+    std::array<int, 2> side{};
+    for (const auto& loop : spec.shape.faces) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Vec3 d = (spec.shape.vertices[static_cast<std::size_t>(loop[(k + 1) % 4])] -
+                            spec.shape.vertices[static_cast<std::size_t>(loop[k])])
+                               .normalized();
+            if (std::abs(d.dot(normal.cross(along))) > 0.999) side = {loop[k], loop[(k + 1) % 4]};
+        }
+    }
+    spec.shape.vertices[static_cast<std::size_t>(side[0])] += 1e-9 * along;
+    spec.edges = {{side, ToolEdgeRule::Kind::AcrossEdge, edge, top}};
+    const Solid tool = need(makeTool(target, spec));
+    const Vec3 made = (tool.vertices()[static_cast<std::size_t>(side[1])] -
+                       tool.vertices()[static_cast<std::size_t>(side[0])])
+                          .normalized();
+    EXPECT_LT(std::abs(made.dot(along)), 1e-14);
+    EXPECT_LT(std::abs(made.dot(normal)), 1e-14);
+
+    spec.edges.front().other = 99;
+    EXPECT_EQ(makeTool(target, spec).error().code, Errc::BadValue);
 }
 
 TEST(ExactTool, WithoutARuleATurnedBossIsASliver) {

@@ -82,7 +82,7 @@ Solid workedBox() {
     using V = Vec3;
     return changed(solidOf(boxSpec(V(0, 0, 0), V(80, 60, 40))),
                    {{kCut, boxSpec(V(0, 50, 30), V(10, 60, 40))},
-                    {kCut, boxSpec(V(74, 50, 3), V(80, 57, 9))},
+                    {kCut, boxSpec(V(71, 50, 33), V(78, 57, 40))},
                     {kCut, boxSpec(V(0, 15, 5), V(6, 40, 25))},
                     {kCut, boxSpec(V(6, 20, 15), V(10, 30, 20))},
                     {kCut, boxSpec(V(20, 54, 8), V(46, 60, 22))},

@@ -29,9 +29,9 @@ void addWallCases(std::vector<ModificationCase>& all, int view) {
     cases.add("ramp over the whole width", add, "triangular-prism",
               prismSpec({V(0, 0, 20), V(0, 40, 20), V(0, 40, 45)}, V(80, 0, 0)));
     cases.add("box against the wall", add, "cube", boxSpec(V(20, 15, 20), V(50, 40, 40)));
-    cases.add("box on the wall", add, "cube", boxSpec(V(20, 22, 38), V(55, 40, 50)));
+    cases.add("box on the wall", add, "cube", boxSpec(V(20, 24, 33), V(52, 40, 48)));
     cases.add("box that makes the step higher", add, "cube", boxSpec(V(0, 0, 20), V(80, 40, 35)));
-    cases.add("pocket at the foot of the wall", cut, "cube", boxSpec(V(20, 15, 5), V(60, 40, 20)),
+    cases.add("pocket at the foot of the wall", cut, "cube", boxSpec(V(20, 8, 10), V(65, 40, 20)),
               {}, 7);
     for (ModificationCase& c : cases.take()) all.push_back(std::move(c));
 }
@@ -41,10 +41,10 @@ void addBossCases(std::vector<ModificationCase>& all, int view) {
                                  {{BooleanKind::Add, boxSpec(V(10, 15, 15), V(35, 45, 35))},
                                   {BooleanKind::Add, boxSpec(V(65, 15, 15), V(90, 45, 35))}});
     CaseList cases("two bosses", target, V(50, 30, 15), view);
-    cases.add("bridge on the bosses", add, "cube", boxSpec(V(10, 15, 35), V(90, 45, 48)));
+    cases.add("bridge on the bosses", add, "cube", boxSpec(V(10, 15, 35), V(90, 45, 55)));
     cases.add("bridge between the bosses", add, "cube", boxSpec(V(35, 15, 15), V(65, 45, 35)));
     cases.add("roof on one boss", add, "triangular-prism",
-              prismSpec({V(65, 15, 35), V(90, 15, 35), V(77.5, 15, 52)}, V(0, 30, 0)));
+              prismSpec({V(65, 15, 35), V(90, 15, 35), V(77.5, 15, 60)}, V(0, 30, 0)));
     for (ModificationCase& c : cases.take()) all.push_back(std::move(c));
 }
 
@@ -72,10 +72,10 @@ void addCrackCases(std::vector<ModificationCase>& all, int view) {
                                changed(solidOf(box), {{BooleanKind::Cut, tool}}),
                                modificationCamera(view, V(40, 30, 20)));
     };
-    const PolyhedronSpec side = boxSpec(V(60, 10, 5), V(80, 52, 34));
+    const PolyhedronSpec side = boxSpec(V(62, 8, 5), V(80, 52, 36));
     CaseList hollow(
         "hollow box",
-        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(30, 15, 20), V(68, 45, 40))}}),
+        changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(25, 14, 20), V(67, 46, 40))}}),
         V(40, 30, 20), view);
     hollow.add("pocket into the pocket", cut, "cube", side, asOnPlain(side), 7);
     for (ModificationCase& c : hollow.take()) all.push_back(std::move(c));
@@ -102,14 +102,14 @@ void addCrackCases(std::vector<ModificationCase>& all, int view) {
 }  // namespace
 
 std::vector<ModificationCase> prismModifications(int view) {
-    const Solid target = solidOf(prismSpec({V(0, 0, 0), V(0, 60, 45), V(0, 80, 0)}, V(90, 0, 0)));
+    const Solid target = solidOf(prismSpec({V(0, 0, 0), V(0, 60, 45), V(0, 100, 0)}, V(90, 0, 0)));
     CaseList cases("prism", target, V(45, 40, 18), view);
     cases.add("box on the slope", add, "cube", slopeBox(25, 60, 20, 55, 15));
     cases.add("box over the whole slope", add, "cube", slopeBox(0, 90, 0, 75, 15));
     cases.add("pocket in the slope", cut, "cube", slopeBox(20, 65, 15, 60, -15), {}, 7);
-    cases.add("notch in the slope's edge", cut, "cube", slopeBox(60, 90, 25, 50, -15));
-    cases.add("slot along the slope", cut, "cube", slopeBox(0, 90, 25, 50, -10));
-    cases.add("box on the end", add, "cube", boxSpec(V(90, 42, 7), V(110, 64, 22)));
+    cases.add("notch in the slope's edge", cut, "cube", slopeBox(55, 90, 25, 50, -15));
+    cases.add("slot along the slope", cut, "cube", slopeBox(0, 90, 30, 55, -15));
+    cases.add("box on the end", add, "cube", boxSpec(V(90, 45, 8), V(110, 70, 22)));
     cases.add("corner cut by a triangle", cut, "triangular-pyramid",
               pyramidSpec(onSlope(90, 0), onSlope(60, 0), onSlope(90, 35), V(90, 30, 0)));
     cases.add(
