@@ -9,7 +9,9 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPainter>
+#include <QScrollArea>
 #include <QSettings>
+#include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include "ui/actions/edit_actions.h"
 #include "ui/actions/file_actions.h"
 #include "ui/actions/sketch_actions.h"
+#include "ui/actions/surface_actions.h"
 #include "ui/actions/view_actions.h"
 #include "ui/apply_controller.h"
 #include "ui/dialogs/help_dialog.h"
@@ -26,8 +29,10 @@
 #include "ui/panels/graph_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/surface_panel.h"
 #include "ui/panels/template_panel.h"
 #include "ui/panels/threshold_panel.h"
+#include "ui/surface_controller.h"
 #include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
 #include "ui/viewport/viewport_widget.h"
@@ -36,7 +41,7 @@ namespace ew {
 
 namespace {
 // Counts up when the panels are arranged in a new way, so that an old arrangement is not restored.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 }  // namespace
 
 MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options,
@@ -67,6 +72,7 @@ MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWind
 // The viewport releases its OpenGL context while the document still lives.
 MainWindow::~MainWindow() {
     delete tools_;
+    surface_->settle();
     delete takeCentralWidget();
 }
 
@@ -83,7 +89,21 @@ void MainWindow::buildCentre() {
     ToolContext context{*document_, *reading_, *viewport_,
                         [this](const Error& error) { messages_->showError(error); },
                         [this] { apply_->inkDone(); }};
-    tools_ = new ToolBox(context, this);
+    surface_ = new SurfaceController(*document_, *viewport_, this);
+    tools_ = new ToolBox(context, surface_->selection(), this);
+    connectSurface();
+}
+
+void MainWindow::connectSurface() {
+    connect(surface_, &SurfaceController::failed, this,
+            [this](const Error& error) { messages_->showError(error); });
+    connect(surface_, &SurfaceController::noticed, messages_, &MessageBar::showNotice);
+    // Chosen edges are marked while they are being picked, and when a clamped one is looked at.
+    const auto mark = [this] {
+        const bool picked = surface_->selection().choice().which == EdgeChoice::Which::Picked;
+        viewport_->setChosenEdges(picked ? surface_->selection().edges() : std::vector<EdgeRef>());
+    };
+    connect(&surface_->selection(), &EdgeSelection::changed, this, mark);
 }
 
 void MainWindow::buildActions() {
@@ -98,6 +118,8 @@ void MainWindow::buildActions() {
     QMenu* view = menuBar()->addMenu(tr("&View"));
     views_->fill(view);
     sketches_->fill(menuBar()->addMenu(tr("&Sketch")));
+    surfaces_ = new SurfaceActions(context, *surface_, this);
+    surfaces_->fill(menuBar()->addMenu(tr("S&urface")));
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* quick = help->addAction(tr("&Quick help"), this, [this] { showQuickHelp(this); });
     quick->setShortcut(QKeySequence::HelpContents);
@@ -139,6 +161,18 @@ void MainWindow::buildPanels() {
     addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), templates, Qt::LeftDockWidgetArea);
     addPanel(tr("History"), QStringLiteral("historyPanel"), new HistoryPanel(*document_, this),
              Qt::LeftDockWidgetArea);
+    auto* scroll = new QScrollArea(this);
+    auto* surface = new SurfacePanel(*document_, *surface_, *surfaces_, *tools_, scroll);
+    scroll->setWidget(surface);
+    // Its rows are never cut off: they scroll up and down only.
+    scroll->setMinimumWidth(surface->minimumSizeHint().width() +
+                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    addPanel(tr("Surface"), QStringLiteral("surfacePanel"), scroll, Qt::LeftDockWidgetArea);
+    tabifyDockWidget(panels_[3], panels_[5]);
+    panels_[3]->raise();
     arrangePanels();
 }
 
@@ -146,7 +180,7 @@ void MainWindow::arrangePanels() {
     resizeDocks({panels_[0], panels_[1], panels_[2]}, {240, 380, 110}, Qt::Vertical);
     resizeDocks({panels_[0]}, {308}, Qt::Horizontal);
     resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
-    resizeDocks({panels_[3]}, {240}, Qt::Horizontal);
+    resizeDocks({panels_[3]}, {264}, Qt::Horizontal);
 }
 
 void MainWindow::buildToolBar() {
@@ -162,6 +196,8 @@ void MainWindow::buildToolBar() {
     toolBar_->addActions(edits_->toolActions);
     toolBar_->addSeparator();
     toolBar_->addActions({sketches_->applyAction, sketches_->automaticAction, edits_->clearAction});
+    toolBar_->addSeparator();
+    toolBar_->addActions({surfaces_->filletAction, surfaces_->smoothAction, surfaces_->mapAction});
     toolBar_->addSeparator();
     const auto view = [this](StandardView v) {
         return views_->viewActions[static_cast<std::size_t>(v)];

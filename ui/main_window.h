@@ -20,6 +20,8 @@ class FileActions;
 class LiveReading;
 class MessageBar;
 class SketchActions;
+class SurfaceActions;
+class SurfaceController;
 class ToolBox;
 class ViewActions;
 class ViewportWidget;
@@ -51,6 +53,7 @@ class MainWindow : public QMainWindow {
     MessageBar& messages() { return *messages_; }
     FileActions& files() { return *files_; }
     ViewActions& views() { return *views_; }
+    SurfaceController& surface() { return *surface_; }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -59,6 +62,7 @@ class MainWindow : public QMainWindow {
 
   private:
     void buildCentre();
+    void connectSurface();
     void buildActions();
     void buildPanels();
     void buildToolBar();
@@ -82,6 +86,8 @@ class MainWindow : public QMainWindow {
     EditActions* edits_ = nullptr;
     ViewActions* views_ = nullptr;
     SketchActions* sketches_ = nullptr;
+    SurfaceController* surface_ = nullptr;
+    SurfaceActions* surfaces_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QList<QDockWidget*> panels_;
 };

@@ -64,6 +64,10 @@ void EditActions::addTools() {
          tr("Turn the view; so do the right and the middle mouse button")},
         {ToolBox::Kind::Pan, "pan", tr("&Move view"), QKeySequence(QStringLiteral("M")),
          tr("Move the view; so do Space with the left button and Shift with the middle one")},
+        {ToolBox::Kind::PickEdge, "pick-edge", tr("Pic&k edges"), QKeySequence(QStringLiteral("K")),
+         tr("Choose edges for a fillet; Shift adds")},
+        {ToolBox::Kind::SurfacePen, "surface-pen", tr("Draw on the &surface"),
+         QKeySequence(QStringLiteral("B")), tr("Every stroke goes straight onto the surface")},
     };
     auto* group = new QActionGroup(this);
     for (const Entry& entry : entries) {

@@ -69,7 +69,7 @@ FileActions::FileActions(const WindowContext& context, QWidget* window)
     newAction->setToolTip(tr("New document"));
     openAction->setToolTip(tr("Open a document or a sketch script"));
     saveAction->setToolTip(tr("Save the document"));
-    exportAction->setToolTip(tr("Export the solid as OBJ, STL or PLY"));
+    exportAction->setToolTip(tr("Export the surface, cage or solid as OBJ, STL, PLY, glTF or 3MF"));
     connect(newAction, &QAction::triggered, this, &FileActions::newDocument);
     connect(openAction, &QAction::triggered, this, &FileActions::open);
     connect(saveAction, &QAction::triggered, this, &FileActions::save);
@@ -235,12 +235,13 @@ void FileActions::exportSolid() {
     QString filter;
     QString path = QFileDialog::getSaveFileName(
         window_, tr("Export"), startFolder(),
-        tr("Wavefront OBJ, planar faces (*.obj);;STL, binary (*.stl);;PLY (*.ply)"), &filter);
+        tr("Wavefront OBJ (*.obj);;STL, binary (*.stl);;PLY (*.ply);;glTF, binary (*.glb);;"
+           "3MF (*.3mf)"),
+        &filter);
     if (path.isEmpty()) return;
-    const QString extension = filter.contains("*.stl")   ? QStringLiteral(".stl")
-                              : filter.contains("*.ply") ? QStringLiteral(".ply")
-                                                         : QStringLiteral(".obj");
-    exportTo(withExtension(path, extension));
+    // "STL, binary (*.stl)" names its extension.
+    const auto dot = filter.indexOf(QStringLiteral("(*.")) + 2;
+    exportTo(withExtension(path, filter.mid(dot, filter.indexOf(QLatin1Char(')')) - dot)));
 }
 
 bool FileActions::exportTo(const QString& path) {

@@ -71,6 +71,25 @@ void collect(const QMenu* menu, QList<QPair<QString, QString>>& entries) {
     }
 }
 
+QString surfaceHelp() {
+    return QStringLiteral("<h3>%1</h3>").arg(Help::tr("Smooth shapes (Surface panel)")) +
+           rows({{Help::tr("Choose edges"),
+                  Help::tr("all, convex, concave, or picked by a click (K): one edge, a loop or "
+                           "all edges of a face; Shift adds")},
+                 {Help::tr("Fillet"),
+                  Help::tr("drag the radius to see it, let go to keep it; an edge without room "
+                           "gets a smaller radius and is listed")},
+                 {Help::tr("Change it later"),
+                  Help::tr("fillets are settings: choose the edges again and drag; edges that "
+                           "survive a cut or an addition keep theirs")},
+                 {Help::tr("Smooth surface"),
+                  Help::tr("S turns it on and off; levels, or a tolerance for as many triangles "
+                           "as are needed; C shows the cage over it")},
+                 {Help::tr("Draw on it"),
+                  Help::tr("B: every stroke goes onto the surface; Ctrl+M maps what is drawn "
+                           "already")}});
+}
+
 }  // namespace
 
 void showQuickHelp(QWidget* window) {
@@ -104,8 +123,8 @@ void showQuickHelp(QWidget* window) {
              {Help::tr("Zoom"), Help::tr("wheel, or two fingers")},
              {Help::tr("Undo"),
               Help::tr("Ctrl+Z: the newest stroke first, then the newest step")}});
-    showText(window, QStringLiteral("quickHelp"), Help::tr("Quick help"), tour + gestures,
-             {560, 540});
+    showText(window, QStringLiteral("quickHelp"), Help::tr("Quick help"),
+             tour + surfaceHelp() + gestures, {560, 620});
 }
 
 void showShortcuts(QWidget* window, const QList<QAction*>& menus) {
@@ -129,7 +148,7 @@ void showAbout(QWidget* window) {
     box.setInformativeText(Help::tr(
         "Turns pen strokes into solids, step by step, with a topology library.\n\n"
         "Free software under the GNU General Public License, version 3 or later, without any "
-        "warranty. Uses Qt, VTK, OpenMesh, CGAL and Eigen."));
+        "warranty. Uses Qt, VTK, OpenMesh, OpenSubdiv, CGAL and Eigen."));
     box.exec();
 }
 

@@ -2,22 +2,26 @@
 #include "ui/tools/tool_box.h"
 
 #include "ui/input/input_arbiter.h"
+#include "ui/tools/edge_tool.h"
 #include "ui/tools/eraser_tool.h"
 #include "ui/tools/orbit_tool.h"
 #include "ui/tools/pan_tool.h"
 #include "ui/tools/pen_tool.h"
+#include "ui/tools/surface_pen_tool.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
 
-ToolBox::ToolBox(const ToolContext& context, QObject* parent)
+ToolBox::ToolBox(const ToolContext& context, EdgeSelection& selection, QObject* parent)
     : QObject(parent),
       context_(context),
       pen_(std::make_unique<PenTool>(context)),
       eraser_(std::make_unique<EraserTool>(context)),
       orbit_(std::make_unique<OrbitTool>(context)),
-      pan_(std::make_unique<PanTool>(context)) {
+      pan_(std::make_unique<PanTool>(context)),
+      pickEdge_(std::make_unique<EdgeTool>(context, selection)),
+      surfacePen_(std::make_unique<SurfacePenTool>(context)) {
     InputArbiter::Sink sink;
     sink.pointer = [this](const PenEvent& event) { pointer(event); };
     sink.zoom = [this](const Vec2& position, double factor) { zoom(position, factor); };
@@ -35,7 +39,11 @@ void ToolBox::setActive(Kind kind) {
     switch (kind) {
         case Kind::Pen:
         case Kind::Eraser:
+        case Kind::SurfacePen:
             context_.viewport.setCursor(Qt::CrossCursor);
+            break;
+        case Kind::PickEdge:
+            context_.viewport.setCursor(Qt::PointingHandCursor);
             break;
         case Kind::Orbit:
             context_.viewport.setCursor(Qt::SizeAllCursor);
@@ -46,6 +54,10 @@ void ToolBox::setActive(Kind kind) {
     }
     emit activeChanged(kind);
 }
+
+void ToolBox::setPickMode(PickMode mode) { pickEdge_->setMode(mode); }
+
+void ToolBox::setStrokeColor(const StrokeColor& color) { surfacePen_->setColor(color); }
 
 bool ToolBox::cancelGesture() {
     if (current_ == nullptr) return false;
@@ -61,6 +73,10 @@ Tool* ToolBox::tool(Kind kind) {
             return orbit_.get();
         case Kind::Pan:
             return pan_.get();
+        case Kind::PickEdge:
+            return pickEdge_.get();
+        case Kind::SurfacePen:
+            return surfacePen_.get();
         case Kind::Pen:
             break;
     }

@@ -4,11 +4,14 @@
 #include <QObject>
 #include <memory>
 
+#include "ui/edge_selection.h"
 #include "ui/tools/tool.h"
 
 namespace ew {
 
+class EdgeTool;
 class InputArbiter;
+class SurfacePenTool;
 
 /// Gives each gesture to its tool: the active one for the pen tip and the left button, the others
 /// as the gesture's intent says.
@@ -16,14 +19,17 @@ class ToolBox : public QObject {
     Q_OBJECT
 
   public:
-    enum class Kind { Pen, Eraser, Orbit, Pan };
+    enum class Kind { Pen, Eraser, Orbit, Pan, PickEdge, SurfacePen };
 
     /// Watches the viewport of the context, which outlives this.
-    explicit ToolBox(const ToolContext& context, QObject* parent = nullptr);
+    /// \param selection  what picking edges fills; outlives this.
+    ToolBox(const ToolContext& context, EdgeSelection& selection, QObject* parent = nullptr);
     ~ToolBox() override;
 
     Kind active() const { return active_; }
     void setActive(Kind kind);
+    void setPickMode(PickMode mode);
+    void setStrokeColor(const StrokeColor& color);
     /// True between begin and end of any gesture.
     bool gestureUnderWay() const { return current_ != nullptr; }
     /// Escape: the gesture under way leaves nothing. False where there was none.
@@ -45,6 +51,8 @@ class ToolBox : public QObject {
     std::unique_ptr<Tool> eraser_;
     std::unique_ptr<Tool> orbit_;
     std::unique_ptr<Tool> pan_;
+    std::unique_ptr<EdgeTool> pickEdge_;
+    std::unique_ptr<SurfacePenTool> surfacePen_;
     InputArbiter* arbiter_;  // child of the viewport
     Kind active_ = Kind::Pen;
     Tool* current_ = nullptr;
