@@ -84,13 +84,19 @@ void ApplyController::setAutomatic(bool on) {
 void ApplyController::inkDone() {
     hold();
     if (!automatic_) return;
-    reading_.refreshNow();
+    awaitsReading_ = true;
+    reading_.askNow();
+}
+
+void ApplyController::beginWait() {
+    awaitsReading_ = false;
     if (!clear()) return;
     wait_.start(kWaitMs);
     emit waitingChanged(true);
 }
 
 void ApplyController::hold() {
+    awaitsReading_ = false;
     if (!wait_.isActive()) return;
     wait_.stop();
     emit waitingChanged(false);
@@ -102,6 +108,7 @@ bool ApplyController::clear() const {
 }
 
 void ApplyController::onReadingChanged() {
+    if (awaitsReading_ && reading_.upToDate()) beginWait();
     if (wait_.isActive() && !clear()) hold();
     emit changed();
 }

@@ -58,6 +58,7 @@ class ApplyController : public QObject {
     void failed(const ew::Error& error);
 
   private:
+    void beginWait();
     void onWaitOver();
     void onReadingChanged();
     bool clear() const;
@@ -65,6 +66,7 @@ class ApplyController : public QObject {
     Document& document_;
     LiveReading& reading_;
     QTimer wait_;
+    bool awaitsReading_ = false;  ///< the wait begins when the ink was read
     std::function<bool()> busy_;
     bool automatic_ = true;
 };

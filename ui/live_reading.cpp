@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/live_reading.h"
 
+#include <QCoreApplication>
+#include <QEvent>
+#include <QMetaObject>
 #include <algorithm>
+#include <memory>
 
 namespace ew {
 
@@ -12,6 +16,8 @@ constexpr int kSettleMs = 700;
 // own cost before it is done again.
 constexpr double kWaitPerCost = 2.0;
 constexpr double kLongestWaitMs = 400.0;
+// What took longer than this the last time is read on another thread.
+constexpr double kShortMs = 12.0;
 }  // namespace
 
 LiveReading::LiveReading(Document& document, QObject* parent)
@@ -22,8 +28,11 @@ LiveReading::LiveReading(Document& document, QObject* parent)
     connect(&frameTimer_, &QTimer::timeout, this, &LiveReading::refresh);
     connect(&settleTimer_, &QTimer::timeout, this, &LiveReading::settleNow);
     connect(&document_, &Document::changed, this, &LiveReading::onDocumentChanged);
+    thread_.setMaxThreadCount(1);
     reading_ = document_.interpretation();
 }
+
+LiveReading::~LiveReading() { thread_.waitForDone(); }
 
 const OrthographicCamera& LiveReading::sketchCamera() const {
     const auto& pending = document_.pendingStrokes();
@@ -69,12 +78,14 @@ void LiveReading::onDocumentChanged(DocumentChange what) {
     switch (what) {
         case DocumentChange::Ink:
             chosen_ = -1;
+            ++revision_;
             schedule();
             break;
         case DocumentChange::Reading:
         case DocumentChange::Thresholds:
         case DocumentChange::Library:
         case DocumentChange::Bodies:
+            ++revision_;
             schedule();
             break;
         default:
@@ -95,20 +106,87 @@ void LiveReading::schedule() {
 
 void LiveReading::refreshNow() {
     frameTimer_.stop();
+    // What another thread is reading is taken over by the event that it sent; here it only saves
+    // doing the same twice.
+    thread_.waitForDone();
+    if (busy_) QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
+    again_ = false;
+    frameTimer_.stop();
+    const bool withStroke = underWay_ != nullptr && !underWay_->samples.empty();
+    reading_ = withStroke ? document_.interpretWith(*underWay_, sketchCamera())
+                          : document_.interpretation();
+    sinceRefresh_.start();
+    emit changed();
+}
+
+void LiveReading::askNow() {
+    frameTimer_.stop();
     refresh();
 }
 
+bool LiveReading::upToDate() const {
+    return !busy_ && !frameTimer_.isActive() && underWay_ == nullptr;
+}
+
+bool LiveReading::mayTakeLong() const {
+    return !document_.state().bodies.empty() || lastCostMs_ > kShortMs;
+}
+
 void LiveReading::refresh() {
-    // Reading a sketch on a solid takes longer than a frame: it waits for the end of the stroke.
-    if (underWay_ != nullptr && !document_.state().bodies.empty()) return;
+    const bool withStroke = underWay_ != nullptr && !underWay_->samples.empty();
+    const bool known = !withStroke && document_.readingKnown();
+    if (!known && mayTakeLong() && (withStroke || !document_.pendingStrokes().empty())) {
+        startThread();
+        return;
+    }
     QElapsedTimer cost;
     cost.start();
-    reading_ = underWay_ != nullptr && !underWay_->samples.empty()
-                   ? document_.interpretWith(*underWay_, sketchCamera())
-                   : document_.interpretation();
-    lastCostMs_ = static_cast<double>(cost.nsecsElapsed()) / 1e6;
+    reading_ = withStroke ? document_.interpretWith(*underWay_, sketchCamera())
+                          : document_.interpretation();
+    if (!known) lastCostMs_ = static_cast<double>(cost.nsecsElapsed()) / 1e6;
     sinceRefresh_.start();
     emit changed();
+}
+
+void LiveReading::startThread() {
+    if (busy_) {
+        again_ = true;
+        return;
+    }
+    busy_ = true;
+    again_ = false;
+    const bool withStroke = underWay_ != nullptr && !underWay_->samples.empty();
+    auto task = document_.readingTask(withStroke ? underWay_ : nullptr, sketchCamera());
+    thread_.start([this, task = std::move(task), revision = revision_, withStroke] {
+        QElapsedTimer cost;
+        cost.start();
+        auto reading = std::make_shared<Interpretation>(task());
+        const double ms = static_cast<double>(cost.nsecsElapsed()) / 1e6;
+        QMetaObject::invokeMethod(
+            this,
+            [this, reading, revision, withStroke, ms] {
+                lastCostMs_ = ms;
+                take(std::move(*reading), revision, withStroke);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void LiveReading::take(Interpretation reading, long revision, bool withStroke) {
+    busy_ = false;
+    // The stroke under way may have grown: its reading of a moment ago is still worth showing. One
+    // of strokes that are gone, or of another solid, is not.
+    if (revision == revision_) {
+        if (!withStroke) document_.keepReading(reading);
+        reading_ = std::move(reading);
+        sinceRefresh_.start();
+        if (again_ || (withStroke && underWay_ == nullptr)) schedule();
+        again_ = false;
+        emit changed();
+        return;
+    }
+    again_ = false;
+    schedule();
 }
 
 }  // namespace ew

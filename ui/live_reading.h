@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QThreadPool>
 #include <QTimer>
 #include <optional>
 
@@ -12,12 +13,14 @@ namespace ew {
 
 /// The reading of the ink as the window shows it: of the pending strokes, and of the stroke under
 /// way too. It is made at most once a frame by a coalescing timer, never by the pen handler; if
-/// one reading takes long, the next one waits as much longer.
+/// one reading takes long, the next one waits as much longer. What may take longer than a frame, as
+/// on a solid, is read on another thread, and dropped when the document has changed meanwhile.
 class LiveReading : public QObject {
     Q_OBJECT
 
   public:
     explicit LiveReading(Document& document, QObject* parent = nullptr);
+    ~LiveReading() override;
 
     const Interpretation& reading() const { return reading_; }
     /// The camera whose Sketch Plane px the reading speaks in: that of the newest pending stroke,
@@ -40,8 +43,13 @@ class LiveReading : public QObject {
     int current() const;
     void choose(int candidate);
 
-    /// Brings the reading up to date at once.
+    /// Brings the reading up to date at once, however long it takes.
     void refreshNow();
+    /// Asks for a reading without waiting for the next frame; changed() follows, at once where it
+    /// is quick.
+    void askNow();
+    /// Does reading() speak of all strokes as they are now? Otherwise changed() follows.
+    bool upToDate() const;
 
   signals:
     /// The reading, what is chosen, or whether it is settled.
@@ -51,6 +59,9 @@ class LiveReading : public QObject {
     void onDocumentChanged(DocumentChange what);
     void schedule();
     void refresh();
+    bool mayTakeLong() const;
+    void startThread();
+    void take(Interpretation reading, long revision, bool withStroke);
 
     Document& document_;
     Interpretation reading_;
@@ -61,6 +72,11 @@ class LiveReading : public QObject {
     QTimer frameTimer_;
     QTimer settleTimer_;
     QElapsedTimer sinceRefresh_;
+
+    long revision_ = 0;  ///< counts what makes a reading stale
+    bool busy_ = false;
+    bool again_ = false;
+    QThreadPool thread_;  ///< one
 };
 
 }  // namespace ew

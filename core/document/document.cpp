@@ -256,6 +256,12 @@ bool sameReading(const ApplyRequest& a, const ApplyRequest& b) {
 Interpretation Document::Private::read(const std::vector<PendingStroke>& strokes,
                                        const ApplyRequest& request,
                                        const std::vector<Body>& bodies) const {
+    return task(strokes, request, bodies)();
+}
+
+std::function<Interpretation()> Document::Private::task(const std::vector<PendingStroke>& strokes,
+                                                        const ApplyRequest& request,
+                                                        const std::vector<Body>& bodies) const {
     InterpretOptions options;
     options.thresholds = view.thresholds;
     // All strokes are read in one plane: that of the newest.
@@ -267,7 +273,8 @@ Interpretation Document::Private::read(const std::vector<PendingStroke>& strokes
     std::vector<Stroke> drawn;
     drawn.reserve(strokes.size());
     for (const PendingStroke& s : strokes) drawn.push_back(s.stroke);
-    return interpreter(drawn, state->library, options);
+    return [read = interpreter, drawn = std::move(drawn), library = state->library,
+            options = std::move(options)] { return read(drawn, library, options); };
 }
 
 const Interpretation& Document::interpretation() const { return interpretationFor({}); }
@@ -289,9 +296,28 @@ Interpretation Document::interpretWith(const Stroke& underWay) const {
 Interpretation Document::interpretWith(const Stroke& underWay,
                                        const OrthographicCamera& camera) const {
     if (!validateStroke(underWay)) return interpretation();
+    return readingTask(&underWay, camera)();
+}
+
+std::function<Interpretation()> Document::readingTask(const Stroke* underWay,
+                                                      const OrthographicCamera& camera) const {
     std::vector<PendingStroke> strokes = d_->ink.strokes();
-    strokes.push_back({d_->ink.nextId(), underWay, camera});
-    return d_->read(strokes, {}, d_->state->bodies);
+    if (underWay != nullptr && validateStroke(*underWay)) {
+        strokes.push_back({d_->ink.nextId(), *underWay, camera});
+    }
+    return d_->task(strokes, {}, d_->state->bodies);
+}
+
+bool Document::readingKnown() const {
+    ApplyRequest plain;
+    plain.obliqueFactor = d_->obliqueFactor;
+    return d_->reading && sameReading(plain, d_->readingRequest);
+}
+
+void Document::keepReading(Interpretation reading) {
+    d_->reading = std::move(reading);
+    d_->readingRequest = {};
+    d_->readingRequest.obliqueFactor = d_->obliqueFactor;
 }
 
 }  // namespace ew

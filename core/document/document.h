@@ -131,6 +131,15 @@ class Document : public QObject {
     /// The same for a stroke that is drawn through another camera (on the Sketch Plane of earlier
     /// ink).
     Interpretation interpretWith(const Stroke& underWay, const OrthographicCamera& camera) const;
+    /// The work of interpretation() or, with a stroke under way, of interpretWith(), on copies: it
+    /// may be done on another thread while the document changes.
+    std::function<Interpretation()> readingTask(const Stroke* underWay,
+                                                const OrthographicCamera& camera) const;
+    /// Is interpretation() known already?
+    bool readingKnown() const;
+    /// Keeps what a readingTask() without a stroke found. \pre nothing that it depends on changed
+    /// since it was made.
+    void keepReading(Interpretation reading);
 
     // Commands
     // ----------------------------------------------------------------------------------------

@@ -72,6 +72,10 @@ struct Document::Private {
 
     Interpretation read(const std::vector<PendingStroke>& strokes, const ApplyRequest& request,
                         const std::vector<Body>& bodies) const;
+    /// The same on copies.
+    std::function<Interpretation()> task(const std::vector<PendingStroke>& strokes,
+                                         const ApplyRequest& request,
+                                         const std::vector<Body>& bodies) const;
     /// Pushes a command that leads to `after` and takes `consumed` away.
     void push(const QString& name, std::shared_ptr<const DocumentState> after,
               std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);

@@ -99,7 +99,7 @@ TEST(DocumentModification, FilletsOfTheEdgesThatSurviveStay) {
     ASSERT_TRUE(d->fillet(other));
     ASSERT_TRUE(d->crease({EdgeChoice::Which::Picked, {one}}, 4.0));
 
-    draw(*d, linesOnPlane(caseNamed("edge notch by its outline"), d->camera()));
+    draw(*d, linesOnPlane(caseNamed("edge notch by its outline")));
     ASSERT_TRUE(d->apply());
     const auto& bodies = d->state().bodies;
     ASSERT_EQ(bodies[0].solid.edges().size(), 24U);

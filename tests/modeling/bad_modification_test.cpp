@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings on a solid that mean nothing, or less than they seem to: a clear reason or a right
+// result, never a crash or a broken solid.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/modeling/interpretation.h"
+#include "core/solid/validity.h"
+#include "core/tlib/library.h"
+#include "tests/support/modification_cases.h"
+
+namespace ew::test {
+namespace {
+
+const TemplateLibrary& library() {
+    static const TemplateLibrary shipped =
+        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
+    return shipped;
+}
+
+Body theBox() { return boxModifications().front().target; }
+
+Interpretation readOn(const Body& body, const OrthographicCamera& camera, const Lines3& lines) {
+    ModificationCase c{"", "", 0, body, camera, Operation::Auto, "", lines};
+    InterpretOptions o;
+    o.camera = camera;
+    o.bodies = {body};
+    return interpret(exactStrokes(linesOnPlane(c)), library(), o);
+}
+
+/// A reason with a sentence and a place, or a solid that can be.
+void expectReasonOrSolid(const Interpretation& r) {
+    if (r.accepted) {
+        const Candidate& c = r.candidates[static_cast<std::size_t>(*r.accepted)];
+        if (c.result) {
+            EXPECT_GT(c.result->volume(), 0.0);
+            EXPECT_GE(c.result->faces().size(), 4u);
+        }
+        return;
+    }
+    ASSERT_TRUE(r.problem);
+    EXPECT_NE(r.problem->code, Errc::Internal);
+    EXPECT_GT(r.problem->message.size(), 10u);
+    EXPECT_FALSE(r.problem->where.empty());
+}
+
+TEST(BadModification, ALineAlongAnEdgeOnlyIsNoChange) {
+    const auto r = readOn(theBox(), defaultBoxCamera(), {{Vec3(5, 0, 40), Vec3(75, 0, 40)}});
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+}
+
+TEST(BadModification, ANotchWithoutDepthIsNoChange) {
+    // There and back on the same line across the upper face.
+    const auto r = readOn(theBox(), defaultBoxCamera(),
+                          polyline({Vec3(20, 0, 40), Vec3(20, 20, 40), Vec3(20, 0, 40)}));
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+}
+
+TEST(BadModification, ARectangleHalfOnAndHalfOffHasNoThirdDimension) {
+    const auto r = readOn(theBox(), defaultBoxCamera(),
+                          polyline({Vec3(60, 20, 40), Vec3(110, 20, 40), Vec3(110, 45, 40),
+                                    Vec3(60, 45, 40), Vec3(60, 20, 40)}));
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+}
+
+TEST(BadModification, SeenStraightFromAboveARectangleTellsNoDepth) {
+    OrthographicCamera above = defaultBoxCamera();
+    above.direction = -Vec3::UnitZ();
+    above.up = Vec3::UnitY();
+    const auto r = readOn(theBox(), above,
+                          polyline({Vec3(20, 15, 40), Vec3(60, 15, 40), Vec3(60, 45, 40),
+                                    Vec3(20, 45, 40), Vec3(20, 15, 40)}));
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+}
+
+TEST(BadModification, SeenAlongAFaceWithEdgesEndOnNothingBreaks) {
+    // The camera looks along y: the upper face is a line, edges along y are points.
+    OrthographicCamera along = defaultBoxCamera();
+    along.direction = Vec3::UnitY();
+    along.up = Vec3::UnitZ();
+    expectReasonOrSolid(
+        readOn(theBox(), along,
+               polyline({Vec3(20, 0, 40), Vec3(20, 0, 60), Vec3(50, 0, 60), Vec3(50, 0, 40)})));
+    expectReasonOrSolid(
+        readOn(theBox(), along, polyline({Vec3(0, 0, 25), Vec3(30, 0, 25), Vec3(30, 0, 40)})));
+}
+
+TEST(BadModification, APrismWhoseTriangleIsSeenEdgeOnIsNotGuessed) {
+    OrthographicCamera front = defaultBoxCamera();
+    front.direction = Vec3(0, 1, -0.5).normalized();
+    front.up = Vec3::UnitZ();
+    // A roof along x: its triangles lie along the view.
+    const PolyhedronSpec roof =
+        prismSpec({Vec3(20, 15, 40), Vec3(20, 45, 40), Vec3(20, 30, 60)}, Vec3(40, 0, 0));
+    expectReasonOrSolid(readOn(
+        theBox(), front,
+        joined(polyline({roof.vertices[0], roof.vertices[2], roof.vertices[5], roof.vertices[3]}),
+               polyline({roof.vertices[0], roof.vertices[3]}))));
+}
+
+TEST(BadModification, AScribbleOnTheSolidChangesNothing) {
+    Lines3 scribble;
+    for (int i = 0; i < 30; ++i) {
+        scribble.push_back(
+            {Vec3(20 + i, 15 + 20 * (i % 2), 40), Vec3(21 + i, 15 + 20 * ((i + 1) % 2), 40)});
+    }
+    const auto r = readOn(theBox(), defaultBoxCamera(), scribble);
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+}
+
+TEST(BadModification, ACutThatWouldLeaveNothingIsRefused) {
+    InterpretOptions o;
+    o.camera = defaultBoxCamera();
+    o.bodies = {theBox()};
+    o.operation = Operation::Cut;
+    // The outline of the whole box.
+    ModificationCase c{"", "", 0, theBox(), o.camera, Operation::Cut, "", {}};
+    c.lines = joined(polyline({Vec3(0, 0, 0), Vec3(80, 0, 0), Vec3(80, 60, 0), Vec3(80, 60, 40),
+                               Vec3(0, 60, 40), Vec3(0, 0, 40), Vec3(0, 0, 0)}),
+                     {{Vec3(80, 0, 40), Vec3(80, 0, 0)},
+                      {Vec3(80, 0, 40), Vec3(80, 60, 40)},
+                      {Vec3(80, 0, 40), Vec3(0, 0, 40)}});
+    const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+    for (const Candidate& k : r.candidates) {
+        EXPECT_TRUE(!k.result || k.result->volume() > 0.0);
+    }
+    expectReasonOrSolid(r);
+}
+
+}  // namespace
+}  // namespace ew::test
