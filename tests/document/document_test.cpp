@@ -321,6 +321,25 @@ TEST(Document, ReadsThroughTheCameraOfTheNewestStroke) {
     EXPECT_EQ(d.pendingStrokes().size(), 1U);
 }
 
+TEST(Document, AReadingTaskWorksOnCopies) {
+    const auto d = fakeDocument();
+    draw(*d, 5);
+    d->clearStrokes();
+    EXPECT_TRUE(d->undoInk());
+    const auto task = d->readingTask(nullptr, d->camera());
+    const auto before = d->interpretation().candidates.size();
+    draw(*d, 5);
+    EXPECT_FALSE(d->readingKnown());
+    // What was drawn later is not in it.
+    EXPECT_EQ(task().candidates.size(), before);
+    Interpretation found = d->readingTask(nullptr, d->camera())();
+    d->keepReading(found);
+    EXPECT_TRUE(d->readingKnown());
+    EXPECT_EQ(d->interpretation().candidates.size(), found.candidates.size());
+    draw(*d, 5);
+    EXPECT_FALSE(d->readingKnown());
+}
+
 TEST(Document, RefusesBadSettings) {
     const auto d = fakeDocument();
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -8,7 +8,9 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QThread>
 #include <QUndoStack>
+#include <atomic>
 
 #include "tests/ui/window_fixture.h"
 #include "ui/apply_controller.h"
@@ -63,6 +65,44 @@ TEST_F(Reading, TheStrokeUnderWayIsReadBeforeThePenIsUp) {
     EXPECT_EQ(reading().graph.edges.size(), 9U);
     EXPECT_TRUE(reading().accepted.has_value());
     release(Hand::Pen, last[1]);
+}
+
+TEST_F(Reading, WhatMayTakeLongIsReadOnAnotherThreadAndDroppedWhenStale) {
+    std::atomic<int> elsewhere{0};
+    std::atomic<bool> wait{false};
+    const QThread* const here = QThread::currentThread();
+    const auto slow = [&](const std::vector<Stroke>& strokes, const TemplateLibrary& library,
+                          const InterpretOptions& options) {
+        if (QThread::currentThread() != here) ++elsewhere;
+        while (wait) QThread::msleep(1);
+        return interpret(strokes, library, options);
+    };
+    Document sheet(document().state().library, slow);
+    ASSERT_TRUE(sheet.setCamera(document().camera()));
+    LiveReading live(sheet);
+    const auto draw = [&](const std::vector<std::array<Vec2, 2>>& lines) {
+        for (const auto& l : lines) {
+            Stroke stroke;
+            for (int i = 0; i <= 20; ++i) {
+                stroke.samples.push_back({l[0] + (l[1] - l[0]) * (i / 20.0), 0.5, 8.0 * i});
+            }
+            ASSERT_TRUE(sheet.addStroke(stroke));
+        }
+    };
+    draw(boxLines());
+    ASSERT_TRUE(sheet.apply());
+    elsewhere = 0;
+    // With a solid there, reading may take long: nothing waits for it.
+    wait = true;
+    draw(boxLines());
+    QTest::qWait(60);
+    EXPECT_FALSE(live.upToDate());
+    EXPECT_GT(elsewhere, 0);
+    sheet.clearStrokes();
+    wait = false;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return live.upToDate(); }, 10000));
+    // What was found for strokes that are gone is not shown.
+    EXPECT_TRUE(live.reading().candidates.empty());
 }
 
 TEST_F(Reading, ThresholdSliderReadsAnewAtOnce) {
