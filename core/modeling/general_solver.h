@@ -185,7 +185,7 @@ class Solver {
     Rows inkResiduals(const CameraPoints& x) const {
         Rows rows(columns_);
         const double across = s_.sizePx / s_.acrossPx;
-        const double along = s_.sizePx / s_.alongPx;
+        const double along = stopWeight(s_) * s_.sizePx / s_.alongPx;
         for (const DrawnEdge& d : s_.edges) {
             const Vec2 dir = d.direction();
             const Vec2 side(-dir.y(), dir.x());

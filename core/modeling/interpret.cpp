@@ -11,6 +11,7 @@
 #include "core/edge_graph/repair.h"
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
+#include "core/modeling/ink_on_solid.h"
 #include "core/modeling/interpretation.h"
 #include "core/modeling/modification.h"
 #include "core/tlib/matcher.h"
@@ -126,7 +127,10 @@ class Pipeline {
              const InterpretOptions& options)
         : library_(library),
           options_(options),
-          ink_(readInk(strokes, options.thresholds.distancePx)) {}
+          ink_(readInk(strokes, options.thresholds.distancePx)),
+          spreadPx_(std::max(tol::kSpreadPerWobble * ink_.wobblePx,
+                             tol::kSpreadPerWobble / tol::kMissPerWobble *
+                                 endSpread(ink_.segments, options.thresholds.distancePx))) {}
 
     Interpretation run() {
         buildReadings();
@@ -208,7 +212,7 @@ class Pipeline {
         MatchOptions m;
         m.distancePx = options_.thresholds.distancePx;
         m.templateId = options_.templateId;
-        m.spreadPx = tol::kSpreadPerWobble * ink_.wobblePx;
+        m.spreadPx = spreadPx_;
         m.allowMissing = allowMissing;
         std::vector<GraphMatch> found = matchGraph(r.graph, library_.index(), m);
         std::erase_if(found, [&](const GraphMatch& g) {
@@ -240,7 +244,7 @@ class Pipeline {
         const double distance = options_.thresholds.distancePx;
         RepairOptions o;
         o.distancePx = distance;
-        o.spreadPx = std::clamp(tol::kSpreadPerWobble * ink_.wobblePx, 0.5, 0.5 * distance);
+        o.spreadPx = std::clamp(spreadPx_, 0.5, 0.5 * distance);
         const LibraryIndex& index = library_.index();
         o.known = [&index](const PlaneGraph& shape) {
             const CanonicalForm form = canonicalForm(shape);
@@ -413,6 +417,7 @@ class Pipeline {
     const TemplateLibrary& library_;
     const InterpretOptions& options_;
     InkReading ink_;
+    double spreadPx_;  ///< how far this hand's line ends miss each other, per axis
     ReadingContext context_{options_};
     double worthCost_ = std::numeric_limits<double>::infinity();
     std::vector<Reading> readings_;

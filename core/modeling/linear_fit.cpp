@@ -16,7 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-constexpr double kStopWeight = 0.05;
 
 /// Edges of a face with four corners whose opposite sides are parallel by the template's relations.
 std::optional<std::array<int, 4>> parallelogram(const TemplateAnalysis& analysis,
@@ -189,9 +188,7 @@ class LinearFit {
     Rows inkRows(int round) const {
         Rows rows(columns_);
         const double across = s_.sizePx / s_.acrossPx;
-        // Where a pen stops says little and is rounded by resampling: it only counts where nothing
-        // else tells.
-        const double along = kStopWeight * s_.sizePx / s_.alongPx;
+        const double along = stopWeight(s_) * s_.sizePx / s_.alongPx;
         for (const DrawnEdge& d : s_.edges) {
             const Vec2 dir = d.direction();
             const Vec2 side(-dir.y(), dir.x());

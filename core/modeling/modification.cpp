@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <memory>
 #include <string>
 
 #include "core/base/tolerance.h"
 #include "core/edge_graph/canonical.h"
+#include "core/modeling/cracking.h"
 #include "core/modeling/general_fit.h"
+#include "core/modeling/ink_on_solid.h"
 #include "core/modeling/joint_graph.h"
 #include "core/modeling/placement.h"
 #include "core/solid/boolean.h"
@@ -24,48 +26,18 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 struct Option {
     Placement placement;
     GraphMatch match;
-    EdgeGraph graph;
+    std::shared_ptr<const JointGraph> joint;
+    JointReading reading;
     int body = -1;
+    int shells = 0;  ///< more than before
     double cost = 0.0;
     double leftOutPx = 0.0;  ///< ink that it does not explain
     bool plain = true;       ///< found among the model's directions
     std::optional<Solid> result;
+    std::vector<int>
+        cracked;            ///< faces of the solid that it meets although nothing was drawn there
+    bool adjusted = false;  ///< moved off one of those
 };
-
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double pastPx) {
-    const Vec2 d = b - a;
-    const double past = pastPx / std::max(d.norm(), 1e-6);
-    const double t =
-        std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -past, 1.0 + past);
-    return (p - a - t * d).norm();
-}
-
-/// Standard deviation per axis of where strokes end that aim at one place, by the ends of different
-/// strokes that lie together [px]; 0 where none do.
-double endSpread(const std::vector<Segment>& segments, double distancePx) {
-    std::vector<double> squares;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        for (const Vec2& p : {segments[i].a, segments[i].b}) {
-            double least = distancePx * distancePx;
-            bool found = false;
-            for (std::size_t j = 0; j < segments.size(); ++j) {
-                if (segments[j].stroke == segments[i].stroke) continue;
-                for (const Vec2& q : {segments[j].a, segments[j].b}) {
-                    if ((p - q).squaredNorm() > least) continue;
-                    least = (p - q).squaredNorm();
-                    found = true;
-                }
-            }
-            if (found) squares.push_back(least);
-        }
-    }
-    if (squares.empty()) return 0.0;
-    // Half of the pairs lie within 2.77 variances per axis of the difference of two ends, which has
-    // twice the variance of one: the median is not misled by ends that meet by chance.
-    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-    std::nth_element(squares.begin(), middle, squares.end());
-    return std::sqrt(*middle / 2.77);
-}
 
 class Modification {
   public:
@@ -87,7 +59,8 @@ class Modification {
                 problem_ = view.error();
                 continue;
             }
-            read(*view, static_cast<int>(b));
+            views_.emplace(static_cast<int>(b), std::move(*view));
+            read(views_.at(static_cast<int>(b)), static_cast<int>(b));
         }
         std::stable_sort(found_.begin(), found_.end(),
                          [](const Option& a, const Option& b) { return a.cost < b.cost; });
@@ -143,7 +116,7 @@ class Modification {
                              [](const Option& a, const Option& b) { return a.cost < b.cost; });
         return best != found_.end() && best->leftOutPx < distance_ &&
                best->placement.misfit <=
-                   2.0 * misfit * static_cast<double>(best->graph.edges.size());
+                   2.0 * misfit * static_cast<double>(best->reading.graph.edges.size());
     }
 
     /// True where strokes were taken for model edges.
@@ -178,44 +151,18 @@ class Modification {
             for (Placement& p : placementsOf(*m.joint, m.reading, m.match, view,
                                              {options_.thresholds, noise_, plain})) {
                 Option o;
-                o.leftOutPx = leftOut(p, m.match, view);
+                o.leftOutPx = unexplainedInk(ink_, p, m.match, view, distance_, noise_);
                 o.cost = p.cost + m.price + tol::kTemplateFreedomCost * freedoms +
                          tol::kExtraEdgeCost * o.leftOutPx / (4.0 * distance_);
                 o.placement = std::move(p);
                 o.match = m.match;
-                o.graph = m.reading.graph;
+                o.joint = m.joint;
+                o.reading = m.reading;
                 o.body = body;
                 o.plain = plain;
                 found_.push_back(std::move(o));
             }
         }
-    }
-
-    /// Ink that runs neither along an edge of the template nor along one of the model [px].
-    double leftOut(const Placement& p, const GraphMatch& m, const ModelView& view) const {
-        const double near = std::min(distance_, std::max(0.5 * distance_, 3.0 * noise_));
-        double length = 0;
-        for (const Segment& s : ink_.segments) {
-            std::size_t far = 0;
-            for (const Vec2& q : s.points) {
-                const auto& edges = m.entry->analysis.edges;
-                const bool drawn =
-                    std::any_of(edges.begin(), edges.end(), [&](const AnalysedEdge& e) {
-                        return distanceToSegment(q, p.points[at(e.ends[0])].head<2>(),
-                                                 p.points[at(e.ends[1])].head<2>(),
-                                                 distance_) <= near;
-                    });
-                const bool redrawn =
-                    !drawn && std::any_of(view.pieces().begin(), view.pieces().end(),
-                                          [&](const VisiblePiece& v) {
-                                              return distanceToSegment(q, v.px[0], v.px[1], 0.0) <=
-                                                     tol::kAlongModel * distance_;
-                                          });
-                if (!drawn && !redrawn) ++far;
-            }
-            length += s.inkPx * static_cast<double>(far) / static_cast<double>(s.points.size());
-        }
-        return length;
     }
 
     /// Makes the change of the most promising options; what cannot be made is dropped.
@@ -228,33 +175,55 @@ class Modification {
             if (!done.empty() && o.cost > done.front().cost + kFarDearer) break;
             if (repeats(o, done)) continue;
             ++tried;
-            const Solid& target = options_.bodies[at(o.body)].solid;
-            auto tool = makeTool(target, o.placement.tool);
-            if (!tool) {
-                note(tool.error(), o);
-                continue;
-            }
-            auto outcome = combine(
-                target, *tool,
-                o.placement.operation == Operation::Add ? BooleanKind::Add : BooleanKind::Cut);
-            if (!outcome) {
-                note(outcome.error(), o);
-                continue;
-            }
-            // A body that is added stands on the solid; one beside it is another body.
-            if (o.placement.operation == Operation::Add &&
-                outcome->report.shells > outcome->report.shellsBefore) {
-                continue;
-            }
-            const bool known = std::any_of(done.begin(), done.end(), [&](const Option& d) {
-                return d.body == o.body && sameResult(o, *d.result, outcome->solid);
-            });
-            if (known) continue;
-            shells_.push_back(outcome->report.shells - outcome->report.shellsBefore);
-            o.result = std::move(outcome->solid);
-            done.push_back(std::move(o));
+            if (make(o, done)) done.push_back(std::move(o));
         }
+        if (!done.empty()) adjust(done);
         found_ = std::move(done);
+    }
+
+    /// Makes an option's change; false where it cannot be or is one of those that are done.
+    bool make(Option& o, const std::vector<Option>& done) {
+        const Solid& target = options_.bodies[at(o.body)].solid;
+        const bool adds = o.placement.operation == Operation::Add;
+        auto tool = makeTool(target, o.placement.tool);
+        if (!tool) {
+            note(tool.error(), o);
+            return false;
+        }
+        auto outcome = combine(target, *tool, adds ? BooleanKind::Add : BooleanKind::Cut);
+        if (!outcome) {
+            note(outcome.error(), o);
+            return false;
+        }
+        // A body that is added stands on the solid; one beside it is another body.
+        if (adds && outcome->report.shells > outcome->report.shellsBefore) return false;
+        const bool known = std::any_of(done.begin(), done.end(), [&](const Option& d) {
+            return d.body == o.body && sameResult(o, *d.result, outcome->solid);
+        });
+        if (known) return false;
+        o.shells = outcome->report.shells - outcome->report.shellsBefore;
+        o.cracked = crackedFaces(target, outcome->report, o.placement);
+        o.result = std::move(outcome->solid);
+        return true;
+    }
+
+    /// Cracking (paper 5.2): where the best change meets faces that were not drawn on, the next
+    /// candidate is the one that is adjusted to stay out of one of them.
+    void adjust(std::vector<Option>& done) {
+        const Option best = done.front();
+        for (const int face : best.cracked) {
+            auto moved =
+                adjustedPlacement(*best.joint, best.reading, best.match, views_.at(best.body),
+                                  {options_.thresholds, noise_}, best.placement, face);
+            if (!moved) continue;
+            Option o = best;
+            o.placement = std::move(*moved);
+            o.cost = best.cost + kAdjustCost;
+            o.adjusted = true;
+            if (!make(o, done) || o.cracked.size() >= best.cracked.size()) continue;
+            done.insert(done.begin() + 1, std::move(o));
+            return;
+        }
     }
 
     /// Is it a body that was made already? Several looks at the strokes often end in the same.
@@ -276,7 +245,7 @@ class Modification {
     void note(const Error& error, const Option& o) {
         if (problem_) return;
         problem_ = error;
-        for (const Junction& j : o.graph.junctions) {
+        for (const Junction& j : o.reading.graph.junctions) {
             if (problem_->where.empty()) problem_->where.push_back(j.position);
         }
     }
@@ -311,7 +280,7 @@ class Modification {
                                     place()};
             return;
         }
-        r.graph = found_.front().graph;
+        r.graph = found_.front().reading.graph;
         for (std::size_t i = 0; i < found_.size(); ++i) r.candidates.push_back(candidate(i));
         const Option& best = found_.front();
         const bool rival = found_.size() > 1 && found_[1].cost < best.cost + tol::kClearMargin;
@@ -363,7 +332,13 @@ class Modification {
         c.templateName = o.match.entry->tmpl.name;
         c.aspect = o.match.aspect->name;
         c.operation = o.placement.operation;
-        c.readingId = "default";
+        c.readingId = o.adjusted ? "adjusted" : "default";
+        if (o.adjusted) {
+            c.readingName = "Adjusted";
+            c.notes.push_back("A hidden face was moved so that it meets nothing undrawn.");
+        } else if (!o.cracked.empty()) {
+            c.notes.push_back("Hidden faces meet faces that were not drawn on.");
+        }
         c.residualPx = o.placement.residualPx;
         c.junctionVertex = o.match.vertex;
         c.spec = o.placement.tool.shape;
@@ -373,14 +348,15 @@ class Modification {
         const double off = c.residualPx / distance_;
         c.score = std::exp(-2.0 * off * off) *
                   (i == 0 ? 1.0 : std::exp(-std::max(0.0, o.cost - found_.front().cost) / 30.0));
-        if (shells_[i] > 0) {
-            c.notes.push_back("The solid falls into " + std::to_string(shells_[i] + 1) +
+        if (o.shells > 0) {
+            c.notes.push_back("The solid falls into " + std::to_string(o.shells + 1) +
                               " separate pieces.");
         }
         return c;
     }
 
     static constexpr double kFarDearer = 40.0;
+    static constexpr double kAdjustCost = 16.0;  // never a rival
     static constexpr double kSteadyPx = 2.5;
     static constexpr int kFewParameters = 5;
     static constexpr std::size_t kMostInkEdges = 60;
@@ -391,10 +367,10 @@ class Modification {
     const LibraryIndex& index_;
     const InterpretOptions& options_;
     double distance_;
-    double noise_ = 1.0;   ///< how far this hand's line ends miss, per axis [px]
-    double spread_ = 1.4;  ///< and two of them each other
+    double noise_ = 1.0;              ///< how far this hand's line ends miss, per axis [px]
+    double spread_ = 1.4;             ///< and two of them each other
+    std::map<int, ModelView> views_;  ///< by body
     std::vector<Option> found_;
-    std::vector<int> shells_;
     std::optional<Error> problem_;
     ModificationReading out_;
 };

@@ -12,6 +12,7 @@
 #include "core/modeling/anchor_start.h"
 #include "core/modeling/placement_directions.h"
 #include "core/modeling/placement_faces.h"
+#include "core/modeling/placement_relations.h"
 
 namespace ew {
 namespace {
@@ -58,6 +59,35 @@ class Placer {
         std::stable_sort(out_.begin(), out_.end(),
                          [](const Placement& a, const Placement& b) { return a.cost < b.cost; });
         return std::move(out_);
+    }
+
+    /// See adjustedPlacement.
+    std::optional<Placement> adjusted(const Placement& placed, int face) const {
+        const Vec3 n = model_.plane(face).normal;
+        for (std::size_t t = 0; t < tmpl_.shape.faces.size(); ++t) {
+            const int ti = static_cast<int>(t);
+            const auto& seen = sighting_.visibleFaces;
+            const bool drawn = match_.aspect->kind == AspectKind::Explicit &&
+                               std::find(seen.begin(), seen.end(), ti) != seen.end();
+            if (drawn || coincides(placed.coinciding, ti)) continue;
+            const auto& loop = tmpl_.shape.faces[t];
+            const Vec3 m = (placed.points[at(loop[1])] - placed.points[at(loop[0])])
+                               .cross(placed.points[at(loop[2])] - placed.points[at(loop[0])])
+                               .normalized();
+            if (m.cross(n).norm() > tol::kSolidDirection) continue;
+            FacePairs pairs = placed.coinciding;
+            pairs.push_back({ti, face});
+            KeptRelations keep;
+            keep.overrule = true;
+            auto moved = solve(pairs, placed.operation, placed.directions, keep);
+            if (!moved) continue;
+            // Which side of the new plane it comes to lie on does not matter.
+            moved->coinciding.pop_back();
+            const bool fits = onItsSide(*moved);
+            moved->coinciding.push_back({ti, face});
+            if (fits) return moved;
+        }
+        return std::nullopt;
     }
 
   private:
@@ -115,40 +145,10 @@ class Placer {
         }
     }
 
-    /// What is taken for granted of the template's own relations.
-    struct Relations {
-        bool perpendicular = true;
-        bool parallel = true;
-        std::set<int> loose =
-            {};                ///< template vertices that are near places of the model by chance
-        bool regular = false;  ///< edges as long as each other in the reference shape are so
-    };
-
-    SolverRelations relationsFor(const DirectionAssignment& directions,
-                                 const Relations& keep) const {
-        const SolverRelations all = solverRelations(analysis_);
-        const auto given = [&](int e) {
-            return directions.byClass[at(analysis_.edges[at(e)].directionClass)].has_value();
-        };
-        SolverRelations r;
-        if (keep.parallel) {
-            for (const auto& group : all.parallel) {
-                if (!given(group.front())) r.parallel.push_back(group);
-            }
-        }
-        if (keep.regular) r.equalLength = equalInReference();
-        if (!keep.perpendicular) return r;
-        for (const auto& pair : all.perpendicular) {
-            // What the model says of two directions stands above the template.
-            if (!given(pair[0]) || !given(pair[1])) r.perpendicular.push_back(pair);
-        }
-        return r;
-    }
-
     struct Best {
         std::optional<Placement> placed;
         DirectionAssignment directions;
-        Relations keep;
+        KeptRelations keep;
     };
 
     /// Tries directions of the model, the most obvious first; the cheapest explanation counts.
@@ -173,13 +173,14 @@ class Placer {
         if (!options_.plain && !(best.placed && agrees(*best.placed))) {
             DirectionAssignment none;
             none.byClass.resize(at(analysis_.classCount));
-            for (const Relations& keep : {Relations{false, true}, Relations{false, false}}) {
+            for (const KeptRelations& keep :
+                 {KeptRelations{false, true}, KeptRelations{false, false}}) {
                 consider(pairs, operation, none, keep, best);
             }
         }
         // A body whose picture leaves something open is regular where it can be.
         if (best.placed && best.placed->open > 0 && operation == Operation::Add) {
-            Relations regular = best.keep;
+            KeptRelations regular = best.keep;
             regular.regular = true;
             consider(pairs, operation, best.directions, regular, best);
         }
@@ -187,24 +188,6 @@ class Placer {
         auto flush = snapFaces(*best.placed, best.directions, best.keep);
         if (flush && onItsSide(*flush)) best.placed = std::move(flush);
         out_.push_back(std::move(*best.placed));
-    }
-
-    std::vector<std::vector<int>> equalInReference() const {
-        std::vector<std::vector<int>> groups;
-        std::vector<double> lengths;
-        for (std::size_t e = 0; e < analysis_.edges.size(); ++e) {
-            const auto& ends = analysis_.edges[e].ends;
-            const double len =
-                (tmpl_.shape.vertices[at(ends[1])] - tmpl_.shape.vertices[at(ends[0])]).norm();
-            std::size_t g = 0;
-            while (g < groups.size() && std::abs(len - lengths[g]) > 1e-9 * len) ++g;
-            if (g == groups.size()) {
-                groups.emplace_back();
-                lengths.push_back(len);
-            }
-            groups[g].push_back(static_cast<int>(e));
-        }
-        return groups;
     }
 
     /// What was drawn near an edge or a corner of the solid need not be meant to lie there: tries
@@ -228,7 +211,7 @@ class Placer {
             for (const DirectionAssignment& a : assignments) {
                 if (!isLinear(tmpl_, analysis_, a.known())) continue;
                 if (++tried > kMostDirections) break;
-                consider(pairs, operation, a, Relations{true, true, loose}, best);
+                consider(pairs, operation, a, KeptRelations{true, true, loose}, best);
                 if (best.placed && agrees(*best.placed)) return;
             }
         }
@@ -249,7 +232,7 @@ class Placer {
     }
 
     void consider(const FacePairs& pairs, Operation operation, const DirectionAssignment& a,
-                  const Relations& keep, Best& best) const {
+                  const KeptRelations& keep, Best& best) const {
         auto placed = solve(pairs, operation, a, keep);
         if (!placed) return;
         if (placed->open > 0 && operation == Operation::Cut) {
@@ -271,7 +254,7 @@ class Placer {
 
     std::optional<Placement> solve(const FacePairs& pairs, Operation operation,
                                    const DirectionAssignment& directions,
-                                   const Relations& keep) const {
+                                   const KeptRelations& keep) const {
         Anchors anchors;
         Placement out;
         out.operation = operation;
@@ -288,7 +271,8 @@ class Placer {
         if (!solution) return std::nullopt;
         out.points = solution->points;
         out.residualPx = residualPx(sighting_, analysis_, out.points);
-        if (!(out.residualPx <= most())) return std::nullopt;
+        if (!(out.residualPx <= most()) && !keep.overrule) return std::nullopt;
+        out.directions = directions;
         out.misfit = misfit(out.points);
         out.open = solution->freedoms;
         out.parameters = solution->parameters;
@@ -305,7 +289,7 @@ class Placer {
     /// which takes iterations.
     std::optional<GeneralSolution> solved(const Anchors& anchors,
                                           const DirectionAssignment& directions,
-                                          const Relations& keep, Operation operation) const {
+                                          const KeptRelations& keep, Operation operation) const {
         const KnownDirections known = directions.known();
         if (keep.perpendicular && keep.parallel && !keep.regular &&
             isLinear(tmpl_, analysis_, known)) {
@@ -318,8 +302,8 @@ class Placer {
         if (!(residualPx(sighting_, analysis_, start) <= tol::kStartResidual * most())) {
             return std::nullopt;
         }
-        return solveAnchored(tmpl_, analysis_, sighting_, relationsFor(directions, keep), anchors,
-                             start);
+        return solveAnchored(tmpl_, analysis_, sighting_,
+                             keptRelations(tmpl_, analysis_, directions, keep), anchors, start);
     }
 
     /// Direction classes that come out along no direction of the model nearby.
@@ -374,7 +358,7 @@ class Placer {
     /// the farthest face of the solid that looks away from the mouth's.
     std::optional<Placement> reachThrough(const Placement& placed,
                                           const DirectionAssignment& directions,
-                                          const Relations& keep) const {
+                                          const KeptRelations& keep) const {
         FacePairs pairs = placed.coinciding;
         const CameraPlane mouth = model_.plane(pairs.front()[1]);
         int across = -1;
@@ -404,7 +388,7 @@ class Placer {
     /// Faces that come within the distance threshold of a parallel face of the solid lie in it.
     std::optional<Placement> snapFaces(const Placement& placed,
                                        const DirectionAssignment& directions,
-                                       const Relations& keep) const {
+                                       const KeptRelations& keep) const {
         FacePairs pairs = placed.coinciding;
         const std::size_t before = pairs.size();
         for (std::size_t t = 0; t < tmpl_.shape.faces.size(); ++t) {
@@ -487,6 +471,13 @@ std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading&
                                     const GraphMatch& match, const ModelView& model,
                                     const PlacementOptions& options) {
     return Placer(joint, reading, match, model, options).run();
+}
+
+std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointReading& reading,
+                                           const GraphMatch& match, const ModelView& model,
+                                           const PlacementOptions& options,
+                                           const Placement& placement, int face) {
+    return Placer(joint, reading, match, model, options).adjusted(placement, face);
 }
 
 }  // namespace ew

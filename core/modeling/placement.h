@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/modeling/interpretation.h"
 #include "core/modeling/joint_graph.h"
+#include "core/modeling/placement_directions.h"
 #include "core/modeling/sighting.h"
 #include "core/solid/exact_tool.h"
 #include "core/tlib/matcher.h"
@@ -18,12 +20,13 @@ struct Placement {
     Operation operation = Operation::Cut;        ///< Add or Cut
     std::vector<std::array<int, 2>> coinciding;  ///< template face, face of the solid
     CameraPoints points;                         ///< per template vertex, camera space [px]
-    ToolSpec tool;            ///< the same in the solid's frame, with what is exact
-    double residualPx = 0.0;  ///< rms distance of line ends to the projected edges
-    double misfit = 0.0;      ///< squared distances of line ends over the noise's variance, summed
-    int open = 0;             ///< degrees of freedom that only regularity closed
-    int parameters = 0;       ///< degrees of freedom, those included
-    double cost = 0.0;        ///< misfit and prices; see RatedCandidate
+    ToolSpec tool;                   ///< the same in the solid's frame, with what is exact
+    DirectionAssignment directions;  ///< what it was solved with
+    double residualPx = 0.0;         ///< rms distance of line ends to the projected edges
+    double misfit = 0.0;  ///< squared distances of line ends over the noise's variance, summed
+    int open = 0;         ///< degrees of freedom that only regularity closed
+    int parameters = 0;   ///< degrees of freedom, those included
+    double cost = 0.0;    ///< misfit and prices; see RatedCandidate
 };
 
 struct PlacementOptions {
@@ -40,5 +43,13 @@ struct PlacementOptions {
 std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading& reading,
                                     const GraphMatch& match, const ModelView& model,
                                     const PlacementOptions& options);
+
+/// The placement with one of its hidden faces moved into the plane of a parallel face of the solid,
+/// so that the body becomes smaller; the ink that speaks against it is overruled. Nothing where no
+/// hidden face is parallel.
+std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointReading& reading,
+                                           const GraphMatch& match, const ModelView& model,
+                                           const PlacementOptions& options,
+                                           const Placement& placement, int face);
 
 }  // namespace ew

@@ -25,7 +25,8 @@ struct DrawnClass {
 };
 
 struct Choice {
-    std::optional<ModelDirection> direction;
+    ModelDirection direction;
+    bool free = false;  ///< no direction of the model
     double price = 0.0;
     double cost = 0.0;
 };
@@ -78,9 +79,8 @@ class Chooser {
 
     std::vector<Choice> choices(const DrawnClass& c) const {
         if (c.modelEdge >= 0) {
-            return {{ModelDirection{model_.edgeDirection(c.modelEdge),
-                                    ToolEdgeRule::Kind::AlongEdge, c.modelEdge},
-                     0.0, 0.0}};
+            return {
+                {{model_.edgeDirection(c.modelEdge), ToolEdgeRule::Kind::AlongEdge, c.modelEdge}}};
         }
         std::vector<Choice> out;
         // The slope of a pyramid's side says nothing of how deep its apex lies: it may look like
@@ -89,7 +89,7 @@ class Chooser {
         std::stable_sort(out.begin(), out.end(),
                          [](const Choice& a, const Choice& b) { return a.price < b.price; });
         if (out.size() > kMostChoices) out.resize(kMostChoices);
-        out.push_back({std::nullopt, tol::kFreedomCost, 0.0});
+        out.push_back({{}, true, tol::kFreedomCost, 0.0});
         return out;
     }
 
@@ -109,7 +109,7 @@ class Chooser {
             if (off > options_.angleDeg + excuse) continue;
             // How far off is said by the ink once more when it is solved, so here it only sorts.
             const double cost = c.inFaces.empty() && !upright(d) ? tol::kSlantCost : 0.0;
-            out.push_back({d, off / (kSteadiestDeg + 0.5 * excuse) + cost, cost});
+            out.push_back({d, false, off / (kSteadiestDeg + 0.5 * excuse) + cost, cost});
         }
         return out;
     }
@@ -173,11 +173,11 @@ std::vector<DirectionAssignment> directionAssignments(
             for (const DirectionAssignment& a : all) {
                 next.push_back(a);
                 DirectionAssignment& b = next.back();
-                b.byClass.push_back(choice.direction);
-                b.freeClasses += choice.direction ? 0 : 1;
+                b.byClass.push_back(choice.free ? std::nullopt : std::optional(choice.direction));
+                b.freeClasses += choice.free ? 1 : 0;
                 b.price += choice.price;
                 b.cost += choice.cost;
-                if (choice.direction && flat(b)) next.pop_back();
+                if (!choice.free && flat(b)) next.pop_back();
             }
         }
         std::stable_sort(next.begin(), next.end(),

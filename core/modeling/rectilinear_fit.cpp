@@ -131,7 +131,7 @@ class AffineFit {
         }
         Normal normal(n);
         const double wAcross = 1.0 / (s_.acrossPx * s_.acrossPx);
-        const double wAlong = 1.0 / (s_.alongPx * s_.alongPx);
+        const double wAlong = std::pow(stopWeight(s_) / s_.alongPx, 2);
         auto addRow = [&](const Vec2& dir, const Vec2& tip, std::size_t v, double weight,
                           std::size_t slideAxis, double slide) {
             const Vec2 p = picture_.at(r_, v) + slide * picture_.axes[slideAxis];

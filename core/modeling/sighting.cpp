@@ -44,6 +44,11 @@ Sighting sightingOf(const EdgeGraph& graph, const GraphMatch& match, double dist
     return s;
 }
 
+double stopWeight(const Sighting& sighting) {
+    constexpr double kLeast = 0.03;
+    return std::max(kLeast, sighting.doubt);
+}
+
 double residualPx(const Sighting& sighting, const TemplateAnalysis& analysis,
                   const CameraPoints& points) {
     double sum = 0;

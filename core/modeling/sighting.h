@@ -33,6 +33,10 @@ struct Sighting {
                          ///< nothing where the drawing is exact
 };
 
+/// Weight of where a pen stopped, against where hands stop usually: where the drawing is exact the
+/// lines say all, and stops are rounded by resampling.
+double stopWeight(const Sighting& sighting);
+
 Sighting sightingOf(const EdgeGraph& graph, const GraphMatch& match, double distancePx);
 
 /// A solid's vertices in camera space: x right, y down, z away from the eye, all in px; x and y are

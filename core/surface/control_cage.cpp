@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/tolerance.h"
 #include "core/surface/face_split.h"
@@ -292,18 +293,30 @@ class Preparation {
         return true;
     }
 
+    static std::uint64_t undirected(const CageSharpEdge& e) {
+        return key(std::min(e.from, e.to), std::max(e.from, e.to));
+    }
+
+    void addCrease(const CageSharpEdge& e) {
+        const double s = options_.edgeSharpness.empty()
+                             ? kInfiniteSharpness
+                             : std::min(options_.edgeSharpness[at(e.edge)], kInfiniteSharpness);
+        if (s <= 0.0) return;
+        int from = e.from;
+        for (const int middle : inside(e.from, e.to)) {
+            out_.creases.push_back({from, middle, s});
+            from = middle;
+        }
+        out_.creases.push_back({from, e.to, s});
+    }
+
     void addSharpness() {
-        for (const CageSharpEdge& e : cage_.sharpEdges) {
-            const double s = options_.edgeSharpness.empty()
-                                 ? kInfiniteSharpness
-                                 : std::min(options_.edgeSharpness[at(e.edge)], kInfiniteSharpness);
-            if (s <= 0.0) continue;
-            int from = e.from;
-            for (const int middle : inside(e.from, e.to)) {
-                out_.creases.push_back({from, middle, s});
-                from = middle;
-            }
-            out_.creases.push_back({from, e.to, s});
+        for (const CageSharpEdge& e : cage_.sharpEdges) addCrease(e);
+        // Two strips that end at one place name what they have in common twice.
+        std::unordered_set<std::uint64_t> done;
+        for (const CageSharpEdge& e : cage_.sharpEdges) done.insert(undirected(e));
+        for (const CageSharpEdge& e : cage_.sharpEnds) {
+            if (done.insert(undirected(e)).second) addCrease(e);
         }
         if (!options_.sharpCorners) return;
         for (const int point : cage_.vertexPoints) {

@@ -55,6 +55,8 @@ struct FilletedCage {
     PolyMesh mesh;                          ///< body frame [mm]
     std::vector<CageOrigin> origins;        ///< by face of the mesh
     std::vector<CageSharpEdge> sharpEdges;  ///< in the order of the edges
+    std::vector<CageSharpEdge> sharpEnds;   ///< edges of the mesh, at the ends of strips, along
+                                            ///< which a sharp edge goes on; `edge` names that one
     std::vector<int> vertexPoints;  ///< by vertex of the solid: its point, -1 where it is cut away
     std::vector<double> setbacks;   ///< by edge of the solid [mm], 0 where it is sharp
     std::vector<FilletClamp> clamped;  ///< in the order of the edges; empty where all fit

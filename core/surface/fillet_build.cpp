@@ -197,9 +197,24 @@ class Builder {
             if (!plan_.filleted(h)) continue;
             const auto end = curve(h);
             const std::vector<int> reversed(end.rbegin(), end.rend());
+            addSharpEnd(reversed, half(topology_.ccw(h)).edge);
             chains_[at(topology_.ccw(h))] = {pool_.size(), reversed.size()};
             pool_.insert(pool_.end(), reversed.begin(), reversed.end());
         }
+    }
+
+    void addSharpEnd(std::span<const int> run, int edge) {
+        for (std::size_t k = 0; k + 1 < run.size(); ++k) {
+            cage_.sharpEnds.push_back({run[k], run[k + 1], edge});
+        }
+    }
+
+    /// A sharp edge of a corner, -1 where all are filleted.
+    int sharpEdgeAt(int vertex) const {
+        for (const int h : topology_.ring(vertex)) {
+            if (!plan_.filleted(h)) return half(h).edge;
+        }
+        return -1;
     }
 
     // Faces -------------------------------------------------------------------------------------
@@ -262,8 +277,10 @@ class Builder {
         bool straight = false;
         links_.clear();
         links_.reserve(8 * topology_.ring(v).size());
+        const int sharp = sharpEdgeAt(v);
         const auto link = [&](int a, int b) {
             if (a == b) return;
+            if (sharp >= 0) cage_.sharpEnds.push_back({a, b, sharp});
             links_.push_back(a);
             links_.push_back(b);
             sides.push_back({{links_.data() + links_.size() - 2, 2}, -1});
@@ -279,9 +296,12 @@ class Builder {
             for (std::size_t k = 0; k + 1 < c.size(); ++k) link(c[k], c[k + 1]);
         }
         if (plan_.keepsCorner(v) || plan_.style(v) != CornerStyle::Patch) {
+            for (const HoleSide& side : sides) {
+                if (side.half >= 0 && sharp >= 0) addSharpEnd(side.ids, sharp);
+            }
             addFans(v, sides);
         } else if (plan_.filletedAt(v) == 2) {
-            addBridge(sides);
+            addBridge(sides, sharp);
         } else if (straight || segments_ == 1) {
             addPolygon(sides);
         } else {
@@ -368,14 +388,20 @@ class Builder {
         for (std::size_t l = loop + 1; l < mesh().loopStart.size(); ++l) ++mesh().loopStart[l];
     }
 
-    /// Faces between two strip ends, rung by rung.
-    void addBridge(const std::vector<HoleSide>& sides) {
+    /// Faces between two strip ends, rung by rung. Where the ends are one, a miter goes on along
+    /// the sharp edge.
+    void addBridge(const std::vector<HoleSide>& sides, int sharp) {
         std::array<std::span<const int>, 2> ends;
         std::size_t n = 0;
         for (const HoleSide& side : sides) {
             if (side.half >= 0) ends[n++] = side.ids;
         }
         const auto k = at(segments_);
+        for (std::size_t j = 0; j < k && sharp >= 0; ++j) {
+            if (ends[0][j] == ends[1][k - j] && ends[0][j + 1] == ends[1][k - j - 1]) {
+                cage_.sharpEnds.push_back({ends[0][j], ends[0][j + 1], sharp});
+            }
+        }
         if (segments_ == 1) {
             addPolygon(sides);
             return;

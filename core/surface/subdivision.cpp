@@ -195,12 +195,13 @@ class Tessellator {
             for (const CageEdges::Side& side : sides) key_.push_back(edgeRates_[at(side.edge)]);
             key_.push_back(innerRates_[at(face)][0]);
             if (sides.size() == 4) key_.push_back(innerRates_[at(face)][1]);
-        } else {
-            key_.push_back(static_cast<int>(sides.size()));
         }
+        // A quadrangle has as many rates as a pentagon.
+        key_.push_back(static_cast<int>(sides.size()));
         const auto [it, isNew] = patterns_.try_emplace(key_);
         if (isNew) {
-            it->second = adaptive() ? adaptivePattern(parameters, key_)
+            const std::vector<int> rates(key_.begin(), key_.end() - 1);
+            it->second = adaptive() ? adaptivePattern(parameters, rates)
                                     : uniformPattern(parameters, options_.levels);
         }
         return it->second;

@@ -101,6 +101,25 @@ TEST(Modification, AgainstWallsBetweenBossesAndIntoHollows) {
     expectAllRight(cases);
 }
 
+TEST(Modification, WhereHiddenFacesMeetAnEarlierSlotTheAdjustedCutComesNext) {
+    for (const ModificationCase& c : jointModifications(0)) {
+        if (c.name != "deeper crossing slot") continue;
+        InterpretOptions o;
+        o.camera = c.camera;
+        o.bodies = {c.target};
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+        expectRight(c, r);
+        ASSERT_GE(r.candidates.size(), 2u);
+        EXPECT_EQ(r.accepted.value_or(-1), 0);
+        EXPECT_EQ(r.candidates[0].readingId, "default");
+        EXPECT_FALSE(r.candidates[0].notes.empty());
+        const Candidate& adjusted = r.candidates[1];
+        EXPECT_EQ(adjusted.readingId, "adjusted");
+        // As deep as the earlier slot: 80 x 20 x 15 less what that had taken.
+        EXPECT_NEAR(adjusted.result->volume(), c.target.solid.volume() - 16500.0, 1e-6);
+    }
+}
+
 TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {
     Random random(5);
     for (const ModificationCase& c : boxModifications()) {

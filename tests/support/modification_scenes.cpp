@@ -72,7 +72,7 @@ void addCrackCases(std::vector<ModificationCase>& all, int view) {
                                changed(solidOf(box), {{BooleanKind::Cut, tool}}),
                                modificationCamera(view, V(40, 30, 20)));
     };
-    const PolyhedronSpec side = boxSpec(V(62, 8, 5), V(80, 52, 36));
+    const PolyhedronSpec side = boxSpec(V(62, 6, 4), V(80, 54, 37));
     CaseList hollow(
         "hollow box",
         changed(solidOf(box), {{BooleanKind::Cut, boxSpec(V(25, 14, 20), V(67, 46, 40))}}),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tests/surface/surface_fixture.h"
 
@@ -59,6 +60,67 @@ TEST(ControlCage, SharpEdgesStayAndHaveANormalOnEachSide) {
     const SurfaceMesh adaptive = surfaceOf(cage, options);
     EXPECT_EQ(adaptive.triangles.size(), 12U);
     EXPECT_NEAR(enclosedVolume(adaptive.positions, adaptive.triangles), 8.0, 1e-12);
+}
+
+TEST(ControlCage, AStripEndsSharplyInASharpFace) {
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
+    FilletOptions one{{{0, 0.5}}, 4};
+    const SolidEdge& edge = box.edges()[0];
+    const Vec3 along = (box.vertices()[static_cast<std::size_t>(edge.ends[1])] -
+                        box.vertices()[static_cast<std::size_t>(edge.ends[0])])
+                           .normalized();
+    const auto cage = fillet(box, one);
+    ASSERT_TRUE(cage);
+    const SurfaceMesh surface = surfaceOf(controlOf(*cage), {});
+    // Area of the two ends, which stay in their planes.
+    double area = 0.0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
+        };
+        const bool atEnd =
+            std::abs(along.dot(at(0) - at(1))) + std::abs(along.dot(at(0) - at(2))) < 1e-12;
+        const double where = std::abs(along.dot(at(0)));
+        if (atEnd && (where < 1e-12 || std::abs(where - 2.0) < 1e-12)) {
+            area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+        }
+    }
+    EXPECT_NEAR(area, 2.0 * 4.0, 0.05 * 8.0);
+    EXPECT_NEAR(enclosedVolume(surface.positions, surface.triangles), 8.0, 0.05 * 8.0);
+}
+
+TEST(ControlCage, EverySharpEndIsAnEdgeOfTheMesh) {
+    const Solid bosses = solidOf(bossesSpec(2));
+    const Solid box = solidOf(boxSpec({0, 0, 0}, {4, 3, 2}));
+    for (const Solid& solid : {box, bosses}) {
+        const int count = static_cast<int>(solid.edges().size());
+        for (int step = 1; step <= 5; ++step) {
+            for (const int segments : {1, 3}) {
+                FilletOptions options;
+                options.segments = segments;
+                for (int e = step % 3; e < count; e += step) options.edges.push_back({e, 0.1});
+                const auto cage = fillet(solid, options);
+                ASSERT_TRUE(cage);
+                std::set<std::pair<int, int>> edges;
+                for (int f = 0; f < cage->mesh.faceCount(); ++f) {
+                    for (int l = 0; l < cage->mesh.loopCount(f); ++l) {
+                        const auto loop = cage->mesh.loop(f, l);
+                        for (std::size_t k = 0; k < loop.size(); ++k) {
+                            edges.emplace(loop[k], loop[(k + 1) % loop.size()]);
+                        }
+                    }
+                }
+                for (const CageSharpEdge& e : cage->sharpEnds) {
+                    EXPECT_TRUE(edges.contains({e.from, e.to})) << step << ' ' << segments;
+                    EXPECT_EQ(cage->setbacks[static_cast<std::size_t>(e.edge)], 0.0);
+                }
+                SubdivisionOptions fine;
+                fine.levels = 2;
+                const SurfaceMesh surface = surfaceOf(controlOf(*cage), fine);
+                EXPECT_TRUE(checkClosed(asMesh(surface)));
+            }
+        }
+    }
 }
 
 TEST(ControlCage, SharpnessIsBetweenSmoothAndSharp) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/edge_graph/build.h"
+#include "core/modeling/model_view.h"
+#include "core/modeling/placement.h"
+#include "core/tlib/matcher.h"
+
+namespace ew {
+
+/// Standard deviation per axis of where strokes end that aim at one place, by the ends of different
+/// strokes that lie together [px]; 0 where none do.
+double endSpread(const std::vector<Segment>& segments, double distancePx);
+
+/// Length of the ink that runs neither along an edge of the placed template nor along a visible one
+/// of the model [px].
+double unexplainedInk(const InkReading& ink, const Placement& placement, const GraphMatch& match,
+                      const ModelView& view, double distancePx, double noisePx);
+
+}  // namespace ew
