@@ -403,6 +403,122 @@
         <source>%1 or %2</source>
         <translation>%1 oder %2</translation>
     </message>
+    <message>
+        <source>There is no solid yet.</source>
+        <translation>Es gibt noch keinen Körper.</translation>
+    </message>
+    <message>
+        <source>No edge is chosen.</source>
+        <translation>Es ist keine Kante gewählt.</translation>
+    </message>
+    <message>
+        <source>An edge that was chosen does not exist.</source>
+        <translation>Eine gewählte Kante gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no edge at this place.</source>
+        <translation>An dieser Stelle ist keine Kante.</translation>
+    </message>
+    <message>
+        <source>The solid has no concave edge.</source>
+        <translation>Der Körper hat keine konkave Kante.</translation>
+    </message>
+    <message>
+        <source>The solid has no such edge.</source>
+        <translation>Der Körper hat keine solche Kante.</translation>
+    </message>
+    <message>
+        <source>None of these edges is filleted.</source>
+        <translation>Keine dieser Kanten ist verrundet.</translation>
+    </message>
+    <message>
+        <source>The radius of a fillet must be a number greater than 0 mm.</source>
+        <translation>Der Radius einer Verrundung muss größer als 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>A fillet has from 1 to %1 segments across.</source>
+        <translation>Eine Verrundung hat quer 1 bis %1 Segmente.</translation>
+    </message>
+    <message>
+        <source>The sharpness of an edge must be from 0 (smooth) to 10 (sharp).</source>
+        <translation>Die Schärfe einer Kante muss von 0 (glatt) bis 10 (scharf) sein.</translation>
+    </message>
+    <message>
+        <source>The tolerance of the surface must be greater than 0 mm.</source>
+        <translation>Die Toleranz der Fläche muss größer als 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The surface has from 1 to %1 levels.</source>
+        <translation>Die Fläche hat 1 bis %1 Stufen.</translation>
+    </message>
+    <message>
+        <source>There is no solid to make a surface over yet.</source>
+        <translation>Es gibt noch keinen Körper, über den eine Fläche zu legen wäre.</translation>
+    </message>
+    <message>
+        <source>The surface would need about %1 MiB, more than the limit of %2 MiB. Choose fewer levels or a coarser tolerance.</source>
+        <translation>Die Fläche bräuchte etwa %1 MiB, mehr als die Grenze von %2 MiB. Weniger Stufen oder eine gröbere Toleranz wählen.</translation>
+    </message>
+    <message>
+        <source>The surface would need more memory than is allowed; choose fewer levels or a larger tolerance.</source>
+        <translation>Die Fläche bräuchte mehr Speicher, als erlaubt ist; weniger Stufen oder eine größere Toleranz wählen.</translation>
+    </message>
+    <message>
+        <source>The outline of face %1 crosses itself.</source>
+        <translation>Der Umriss von Fläche %1 kreuzt sich selbst.</translation>
+    </message>
+    <message>
+        <source>The outline of face %1 crosses or touches itself.</source>
+        <translation>Der Umriss von Fläche %1 kreuzt oder berührt sich selbst.</translation>
+    </message>
+    <message>
+        <source>There is no surface under the strokes.</source>
+        <translation>Unter den Strichen ist keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>There is no stroke on the surface.</source>
+        <translation>Auf der Oberfläche ist kein Strich.</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet.</source>
+        <translation>Es gibt noch nichts zu exportieren.</translation>
+    </message>
+    <message>
+        <source>The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf.</source>
+        <translation>Die Endung %1 steht für kein Netzformat; möglich sind .obj, .stl, .ply, .glb und .3mf.</translation>
+    </message>
+    <message>
+        <source>A file name without an extension names no mesh format; use .obj, .stl, .ply, .glb or .3mf.</source>
+        <translation>Ein Dateiname ohne Endung steht für kein Netzformat; möglich sind .obj, .stl, .ply, .glb und .3mf.</translation>
+    </message>
+    <message>
+        <source>The surface is too large for a glTF file of 4 GiB.</source>
+        <translation>Die Fläche ist zu groß für eine glTF-Datei von 4 GiB.</translation>
+    </message>
+    <message>
+        <source>Edge %1 (%2 long): %3 instead of %4, its own length leaves no more room</source>
+        <translation>Kante %1 (%2 lang): %3 statt %4, die eigene Länge lässt nicht mehr Platz</translation>
+    </message>
+    <message>
+        <source>Edge %1 (%2 long): %3 instead of %4, edge %5 leaves no more room</source>
+        <translation>Kante %1 (%2 lang): %3 statt %4, Kante %5 lässt nicht mehr Platz</translation>
+    </message>
+    <message>
+        <source>Edge %1 (%2 long): %3 instead of %4, corner %5 leaves no more room</source>
+        <translation>Kante %1 (%2 lang): %3 statt %4, Ecke %5 lässt nicht mehr Platz</translation>
+    </message>
+    <message>
+        <source>Edge %1 (%2 long): %3 instead of %4</source>
+        <translation>Kante %1 (%2 lang): %3 statt %4</translation>
+    </message>
+    <message>
+        <source>radius %1</source>
+        <translation>Radius %1</translation>
+    </message>
+    <message>
+        <source>stays sharp</source>
+        <translation>bleibt scharf</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -503,12 +619,56 @@
         <translation>Über Edgewright</translation>
     </message>
     <message>
+        <source>Smooth shapes (Surface panel)</source>
+        <translation>Glatte Formen (Feld Oberfläche)</translation>
+    </message>
+    <message>
+        <source>Choose edges</source>
+        <translation>Kanten wählen</translation>
+    </message>
+    <message>
+        <source>all, convex, concave, or picked by a click (K): one edge, a loop or all edges of a face; Shift adds</source>
+        <translation>alle, konvexe, konkave oder angeklickte (K): eine Kante, eine Kantenschleife oder die Kanten einer Fläche; die Umschalttaste nimmt weitere hinzu</translation>
+    </message>
+    <message>
+        <source>Fillet</source>
+        <translation>Verrunden</translation>
+    </message>
+    <message>
+        <source>drag the radius to see it, let go to keep it; an edge without room gets a smaller radius and is listed</source>
+        <translation>am Regler ziehen zeigt den Radius, loslassen übernimmt ihn; eine Kante ohne Platz bekommt einen kleineren und steht in der Liste</translation>
+    </message>
+    <message>
+        <source>Change it later</source>
+        <translation>Später ändern</translation>
+    </message>
+    <message>
+        <source>fillets are settings: choose the edges again and drag; edges that survive a cut or an addition keep theirs</source>
+        <translation>Verrundungen sind Einstellungen: Kanten wieder wählen und ziehen; was beim Abziehen oder Hinzufügen bestehen bleibt, behält seine</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Glatte Fläche</translation>
+    </message>
+    <message>
+        <source>S turns it on and off; levels, or a tolerance for as many triangles as are needed; C shows the cage over it</source>
+        <translation>S schaltet sie ein und aus; mit Stufen oder mit einer Toleranz, die nur so viele Dreiecke nimmt wie nötig; C zeigt das Kontrollnetz darüber</translation>
+    </message>
+    <message>
+        <source>Draw on it</source>
+        <translation>Darauf zeichnen</translation>
+    </message>
+    <message>
+        <source>B: every stroke goes onto the surface; Ctrl+M maps what is drawn already</source>
+        <translation>B: jeder Strich kommt auf die Oberfläche; Strg+M projiziert, was schon gezeichnet ist</translation>
+    </message>
+    <message>
         <source>Turns pen strokes into solids, step by step, with a topology library.
 
-Free software under the GNU General Public License, version 3 or later, without any warranty. Uses Qt, VTK, OpenMesh, CGAL and Eigen.</source>
+Free software under the GNU General Public License, version 3 or later, without any warranty. Uses Qt, VTK, OpenMesh, OpenSubdiv, CGAL and Eigen.</source>
         <translation>Macht aus Stiftstrichen Schritt für Schritt Körper, mit einer Topologie-Bibliothek.
 
-Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, CGAL und Eigen.</translation>
+Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, OpenSubdiv, CGAL und Eigen.</translation>
     </message>
 </context>
 <context>
@@ -614,6 +774,50 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Delete solid</source>
         <translation>Körper löschen</translation>
     </message>
+    <message>
+        <source>Fillet 1 edge</source>
+        <translation>1 Kante verrunden</translation>
+    </message>
+    <message>
+        <source>Fillet %1 edges</source>
+        <translation>%1 Kanten verrunden</translation>
+    </message>
+    <message>
+        <source>Sharpen 1 edge</source>
+        <translation>1 Kante scharf machen</translation>
+    </message>
+    <message>
+        <source>Sharpen %1 edges</source>
+        <translation>%1 Kanten scharf machen</translation>
+    </message>
+    <message>
+        <source>Crease 1 edge</source>
+        <translation>Schärfe von 1 Kante</translation>
+    </message>
+    <message>
+        <source>Crease %1 edges</source>
+        <translation>Schärfe von %1 Kanten</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Glatte Fläche</translation>
+    </message>
+    <message>
+        <source>Surface off</source>
+        <translation>Glatte Fläche aus</translation>
+    </message>
+    <message>
+        <source>Map 1 stroke</source>
+        <translation>1 Strich projizieren</translation>
+    </message>
+    <message>
+        <source>Map %1 strokes</source>
+        <translation>%1 Striche projizieren</translation>
+    </message>
+    <message>
+        <source>Remove strokes from surface</source>
+        <translation>Striche von Oberfläche entfernen</translation>
+    </message>
 </context>
 <context>
     <name>ew::EditActions</name>
@@ -689,6 +893,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>&amp;Redo %1</source>
         <translation>&amp;Wiederherstellen: %1</translation>
     </message>
+    <message>
+        <source>Pic&amp;k edges</source>
+        <translation>&amp;Kanten wählen</translation>
+    </message>
+    <message>
+        <source>Choose edges for a fillet; Shift adds</source>
+        <translation>Kanten zum Verrunden wählen; die Umschalttaste nimmt weitere hinzu</translation>
+    </message>
+    <message>
+        <source>Draw on the &amp;surface</source>
+        <translation>Auf &amp;Oberfläche zeichnen</translation>
+    </message>
+    <message>
+        <source>Every stroke goes straight onto the surface</source>
+        <translation>Jeder Strich kommt gleich auf die Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>ew::FileActions</name>
@@ -719,10 +939,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Save the document</source>
         <translation>Das Dokument speichern</translation>
-    </message>
-    <message>
-        <source>Export the solid as OBJ, STL or PLY</source>
-        <translation>Den Körper als OBJ, STL oder PLY exportieren</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -801,10 +1017,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Wavefront OBJ, planar faces (*.obj);;STL, binary (*.stl);;PLY (*.ply)</source>
-        <translation>Wavefront OBJ, ebene Flächen (*.obj);;STL, binär (*.stl);;PLY (*.ply)</translation>
-    </message>
-    <message>
         <source>Exported to %1.</source>
         <translation>Exportiert nach %1.</translation>
     </message>
@@ -819,6 +1031,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Picture saved to %1.</source>
         <translation>Bild gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Export the surface, cage or solid as OBJ, STL, PLY, glTF or 3MF</source>
+        <translation>Fläche, Kontrollnetz oder Körper als OBJ, STL, PLY, glTF oder 3MF exportieren</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ (*.obj);;STL, binary (*.stl);;PLY (*.ply);;glTF, binary (*.glb);;3MF (*.3mf)</source>
+        <translation>Wavefront OBJ (*.obj);;STL, binär (*.stl);;PLY (*.ply);;glTF, binär (*.glb);;3MF (*.3mf)</translation>
     </message>
 </context>
 <context>
@@ -979,6 +1199,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>%1[*] – Edgewright</source>
         <translation>%1[*] – Edgewright</translation>
     </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>ew::MessageBar</name>
@@ -1079,6 +1307,315 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>%1 can be drawn from now on.</source>
         <translation>%1 kann von jetzt an gezeichnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::SurfaceActions</name>
+    <message>
+        <source>&amp;Fillet the chosen edges</source>
+        <translation>Gewählte Kanten &amp;verrunden</translation>
+    </message>
+    <message>
+        <source>Round the edges that the Surface panel names, with its radius</source>
+        <translation>Die Kanten verrunden, die im Feld Oberfläche gewählt sind, mit dem Radius von dort</translation>
+    </message>
+    <message>
+        <source>Make the chosen edges &amp;sharp</source>
+        <translation>Gewählte Kanten &amp;scharf machen</translation>
+    </message>
+    <message>
+        <source>Take their fillets away</source>
+        <translation>Ihre Verrundungen entfernen</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth surface</source>
+        <translation>&amp;Glatte Fläche</translation>
+    </message>
+    <message>
+        <source>The smooth surface over the solid, on and off</source>
+        <translation>Die glatte Fläche über dem Körper ein- und ausschalten</translation>
+    </message>
+    <message>
+        <source>Show the &amp;cage</source>
+        <translation>&amp;Kontrollnetz zeigen</translation>
+    </message>
+    <message>
+        <source>The cage over the smooth surface</source>
+        <translation>Das Kontrollnetz über der glatten Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Map strokes onto the surface</source>
+        <translation>Striche auf Oberfläche &amp;projizieren</translation>
+    </message>
+    <message>
+        <source>Put what is drawn onto the surface</source>
+        <translation>Die Zeichnung auf die Oberfläche bringen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove strokes from the surface</source>
+        <translation>Striche von Oberfläche &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::SurfaceController</name>
+    <message>
+        <source>1 edge is filleted.</source>
+        <translation>1 Kante ist verrundet.</translation>
+    </message>
+    <message>
+        <source>%1 edges are filleted.</source>
+        <translation>%1 Kanten sind verrundet.</translation>
+    </message>
+    <message>
+        <source>One edge has no room for its radius and got a smaller one.</source>
+        <translation>Eine Kante hat keinen Platz für ihren Radius und bekam einen kleineren.</translation>
+    </message>
+    <message>
+        <source>%1 edges have no room for their radius and got smaller ones; the Surface panel lists them.</source>
+        <translation>%1 Kanten haben keinen Platz für ihren Radius und bekamen kleinere; das Feld Oberfläche nennt sie.</translation>
+    </message>
+    <message>
+        <source>One stroke has no surface under it and stays as it is.</source>
+        <translation>Ein Strich hat keine Oberfläche unter sich und bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>%1 strokes have no surface under them and stay as they are.</source>
+        <translation>%1 Striche haben keine Oberfläche unter sich und bleiben, wie sie sind.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::SurfacePanel</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Fillet</source>
+        <translation>Verrunden</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>konvexe</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>konkave</translation>
+    </message>
+    <message>
+        <source>picked</source>
+        <translation>angeklickte</translation>
+    </message>
+    <message>
+        <source>Which edges are meant. Picked edges are clicked in the drawing.</source>
+        <translation>Welche Kanten gemeint sind. Angeklickt wird in der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>one edge</source>
+        <translation>eine Kante</translation>
+    </message>
+    <message>
+        <source>a loop of edges</source>
+        <translation>Kantenschleife</translation>
+    </message>
+    <message>
+        <source>all edges of a face</source>
+        <translation>Kanten einer Fläche</translation>
+    </message>
+    <message>
+        <source>What a click picks. Shift adds to what is picked, or takes it out.</source>
+        <translation>Was ein Klick wählt. Mit der Umschalttaste kommt es hinzu oder wird herausgenommen.</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>Ka&amp;nten</translation>
+    </message>
+    <message>
+        <source>A &amp;click picks</source>
+        <translation>Kli&amp;ck wählt</translation>
+    </message>
+    <message>
+        <source>Sharp</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>Edges without room for their radius</source>
+        <translation>Kanten ohne Platz für ihren Radius</translation>
+    </message>
+    <message>
+        <source>Edges without room for their radius, and what is in the way. A click marks the edge.</source>
+        <translation>Kanten ohne Platz für ihren Radius, und was im Weg ist. Ein Klick markiert die Kante.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Flat pieces across a fillet: 1 is a chamfer, more are rounder. A smooth surface is round with one or two.</source>
+        <translation>Ebene Streifen quer zur Verrundung: 1 ist eine Fase, mehr sind runder. Eine glatte Fläche ist schon mit einem oder zweien rund.</translation>
+    </message>
+    <message>
+        <source>Radius of the fillet. Dragging shows it; letting go makes it a step. Where a radius does not fit, that edge alone gets a smaller one.</source>
+        <translation>Radius der Verrundung. Ziehen zeigt ihn, Loslassen macht daraus einen Schritt. Wo ein Radius nicht passt, bekommt nur diese Kante einen kleineren.</translation>
+    </message>
+    <message>
+        <source>&amp;Radius</source>
+        <translation>&amp;Radius</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments</source>
+        <translation>Se&amp;gmente</translation>
+    </message>
+    <message>
+        <source>click an edge in the drawing</source>
+        <translation>Kante in der Zeichnung anklicken</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>1 edge</source>
+        <translation>1 Kante</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Glatte Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth surface over the solid</source>
+        <translation>Glatte &amp;Fläche über dem Körper</translation>
+    </message>
+    <message>
+        <source>Catmull-Clark</source>
+        <translation>Catmull-Clark</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Loop</translation>
+    </message>
+    <message>
+        <source>Catmull-Clark works on the faces as they are, Loop on triangles.</source>
+        <translation>Catmull-Clark nimmt die Flächen, wie sie sind, Loop nimmt Dreiecke.</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>tolerance (adaptive)</source>
+        <translation>Toleranz (adaptiv)</translation>
+    </message>
+    <message>
+        <source>Levels split every face alike. A tolerance spends triangles where the surface is curved.</source>
+        <translation>Stufen teilen jede Fläche gleich fein. Eine Toleranz setzt Dreiecke dort, wo die Fläche gekrümmt ist.</translation>
+    </message>
+    <message>
+        <source>No point of the surface is farther than this from its triangles.</source>
+        <translation>Kein Punkt der Fläche liegt weiter als das von ihren Dreiecken entfernt.</translation>
+    </message>
+    <message>
+        <source>Show the &amp;cage over it</source>
+        <translation>Kontrollnetz ze&amp;igen</translation>
+    </message>
+    <message>
+        <source>Sche&amp;me</source>
+        <translation>Sche&amp;ma</translation>
+    </message>
+    <message>
+        <source>&amp;Detail</source>
+        <translation>F&amp;einheit</translation>
+    </message>
+    <message>
+        <source>&amp;Levels</source>
+        <translation>St&amp;ufen</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>To&amp;leranz</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>A surface that would need more is refused.</source>
+        <translation>Eine Fläche, die mehr bräuchte, wird abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Memory limit</source>
+        <translation>Speichergrenze</translation>
+    </message>
+    <message>
+        <source>How sharp edges without a fillet stay: 0 is smooth, 10 is sharp for ever. Automatic: sharp where anything is filleted, else smooth.</source>
+        <translation>Wie scharf Kanten ohne Verrundung bleiben: 0 ist glatt, 10 ist für immer scharf. Automatisch: scharf, sobald etwas verrundet ist, sonst glatt.</translation>
+    </message>
+    <message>
+        <source>A sharpness of its own for the edges chosen above.</source>
+        <translation>Eine eigene Schärfe für die oben gewählten Kanten.</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Keep sharp c&amp;orners in place</source>
+        <translation>Scharfe Ec&amp;ken festhalten</translation>
+    </message>
+    <message>
+        <source>Sha&amp;rp edges</source>
+        <translation>Kan&amp;tenschärfe</translation>
+    </message>
+    <message>
+        <source>Chosen edges</source>
+        <translation>Gewählte</translation>
+    </message>
+    <message>
+        <source>Strokes on the surface</source>
+        <translation>Striche auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Draw on it</source>
+        <translation>Darauf zeichnen</translation>
+    </message>
+    <message>
+        <source>Every stroke goes straight onto the surface (B)</source>
+        <translation>Jeder Strich kommt gleich auf die Oberfläche (B)</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the next strokes on the surface</source>
+        <translation>Farbe der nächsten Striche auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Map drawing</source>
+        <translation>Projizieren</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Colour of strokes</source>
+        <translation>Farbe der Striche</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QHash>
+#include <QLocale>
 #include <QRegularExpression>
 #include <vector>
 
@@ -97,6 +98,41 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "The drawing leaves %1 measures open; the most regular shape was taken."),
     QT_TRANSLATE_NOOP("Core", "The solid falls into %1 separate pieces."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid yet."),
+    QT_TRANSLATE_NOOP("Core", "No edge is chosen."),
+    QT_TRANSLATE_NOOP("Core", "An edge that was chosen does not exist."),
+    QT_TRANSLATE_NOOP("Core", "There is no edge at this place."),
+    QT_TRANSLATE_NOOP("Core", "The solid has no concave edge."),
+    QT_TRANSLATE_NOOP("Core", "The solid has no such edge."),
+    QT_TRANSLATE_NOOP("Core", "None of these edges is filleted."),
+    QT_TRANSLATE_NOOP("Core", "The radius of a fillet must be a number greater than 0 mm."),
+    QT_TRANSLATE_NOOP("Core", "A fillet has from 1 to %1 segments across."),
+    QT_TRANSLATE_NOOP("Core", "The sharpness of an edge must be from 0 (smooth) to 10 (sharp)."),
+    QT_TRANSLATE_NOOP("Core", "The tolerance of the surface must be greater than 0 mm."),
+    QT_TRANSLATE_NOOP("Core", "The surface has from 1 to %1 levels."),
+    QT_TRANSLATE_NOOP("Core", "There is no solid to make a surface over yet."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The surface would need about %1 MiB, more than the limit of %2 MiB. Choose "
+                      "fewer levels or a coarser tolerance."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The surface would need more memory than is allowed; choose fewer levels or "
+                      "a larger tolerance."),
+    QT_TRANSLATE_NOOP("Core", "The outline of face %1 crosses itself."),
+    QT_TRANSLATE_NOOP("Core", "The outline of face %1 crosses or touches itself."),
+    QT_TRANSLATE_NOOP("Core", "There is no surface under the strokes."),
+    QT_TRANSLATE_NOOP("Core", "There is no stroke on the surface."),
+    QT_TRANSLATE_NOOP("Core", "There is nothing to export yet."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf."),
+    QT_TRANSLATE_NOOP("Core",
+                      "A file name without an extension names no mesh format; use .obj, .stl, "
+                      ".ply, .glb or .3mf."),
+    QT_TRANSLATE_NOOP("Core", "The surface is too large for a glTF file of 4 GiB."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Edge %1 (%2 long): %3 instead of %4, its own length leaves no more room"),
+    QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, edge %5 leaves no more room"),
+    QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, corner %5 leaves no more room"),
+    QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4"),
     QT_TRANSLATE_NOOP("Core", "Join these ends"),
     QT_TRANSLATE_NOOP("Core", "Raise the threshold to %1"),
     QT_TRANSLATE_NOOP("Core", "Raise the angle threshold to %1 degrees"),
@@ -145,6 +181,7 @@ constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("Core", "one edge"),    QT_TRANSLATE_NOOP("Core", "%1 edges"),
     QT_TRANSLATE_NOOP("Core", "%1 more"),     QT_TRANSLATE_NOOP("Core", "%1 fewer"),
     QT_TRANSLATE_NOOP("Core", "adding a %1"), QT_TRANSLATE_NOOP("Core", "cutting a %1"),
+    QT_TRANSLATE_NOOP("Core", "radius %1"),   QT_TRANSLATE_NOOP("Core", "stays sharp"),
     QT_TRANSLATE_NOOP("Core", "%1 or %2")};
 
 struct Wording {
@@ -163,6 +200,13 @@ std::vector<Wording> wordings(const char* const (&sources)[N]) {
         all.push_back({source, QRegularExpression(QRegularExpression::anchoredPattern(pattern))});
     }
     return all;
+}
+
+/// The core writes numbers with a point.
+QString localNumber(QString part) {
+    static const QRegularExpression kNumber(QStringLiteral(R"(^\d+\.\d+( (mm|px))?$)"));
+    if (kNumber.match(part).hasMatch()) part.replace('.', QLocale().decimalPoint());
+    return part;
 }
 
 QString translated(const QString& english, bool isPart);
@@ -193,7 +237,8 @@ QString translated(const QString& english, bool isPart) {
     static const std::vector<Wording> kPieces = wordings(kParts);
     QString text = translatedBy(kWholes, english);
     if (text.isEmpty() && isPart) text = translatedBy(kPieces, english);
-    return text.isEmpty() ? english : text;
+    if (!text.isEmpty()) return text;
+    return isPart ? localNumber(english) : english;
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ class German : public WindowTest {
 TEST_F(German, MenusPanelsAndPluralsAreGerman) {
     QStringList menus;
     for (const QAction* a : window_->menuBar()->actions()) menus << a->text();
-    EXPECT_EQ(menus, (QStringList{"&Datei", "&Bearbeiten", "&Ansicht", "&Zeichnung", "&Hilfe"}));
+    EXPECT_EQ(menus, (QStringList{"&Datei", "&Bearbeiten", "&Ansicht", "&Zeichnung", "&Oberfläche",
+                                  "&Hilfe"}));
     const auto edges = [](int n) {
         return QCoreApplication::translate("ew::GraphPanel", "%n edge(s)", nullptr, n);
     };

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "ui/actions/surface_actions.h"
+#include "ui/core_text.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/colours.h"
 #include "ui/theme/themed_icon.h"
@@ -272,7 +273,7 @@ void SurfacePanel::refreshClamped() {
             static_cast<std::size_t>(c.edge.edge) >= bodies[body].solid.edges().size()) {
             continue;
         }
-        auto* item = new QListWidgetItem(QString::fromStdString(clampText(bodies, c)), clamped_);
+        auto* item = new QListWidgetItem(coreText(clampText(bodies, c)), clamped_);
         item->setData(Qt::UserRole, QPoint(c.edge.body, c.edge.edge));
     }
 }
