@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -145,8 +146,14 @@ Read readStl(const std::string& path) {
             out.points.push_back(p);
         }
         const Vec3* p = &out.points[out.points.size() - 3];
-        // The corners are rounded to single precision, which turns a thin triangle a little.
-        EXPECT_LT((normal - (p[1] - p[0]).cross(p[2] - p[0]).normalized()).norm(), 1e-3);
+        // The corners are rounded to single precision, which turns a triangle the more the thinner
+        // it is.
+        const Vec3 cross = (p[1] - p[0]).cross(p[2] - p[0]);
+        const double longest =
+            std::max({(p[1] - p[0]).norm(), (p[2] - p[0]).norm(), (p[2] - p[1]).norm()});
+        const double largest = std::max({p[0].norm(), p[1].norm(), p[2].norm()});
+        const double turn = 4e-7 * largest * longest / cross.norm();
+        EXPECT_LT((normal - cross.normalized()).norm(), 1e-6 + turn);
         EXPECT_EQ(take<std::uint16_t>(bytes, at), 0);
     }
     return out;

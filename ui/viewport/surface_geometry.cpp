@@ -17,9 +17,10 @@ namespace ew {
 namespace {
 
 constexpr int kMaxDashesPerEdge = 2000;
-constexpr int kDiscCorners = 10;     // of the round ends of a stroke
-constexpr double kLeastWidth = 0.3;  // share of the width that the lightest touch has
-constexpr double kSameSide = 0.85;   // cosine up to which two pieces of a ribbon share their sides
+constexpr int kDiscCorners = 10;        // of the round ends of a stroke
+constexpr double kLeastWidth = 0.3;     // share of the width that the lightest touch has
+constexpr double kSameNormal = 0.9995;  // cosine: a fold of less than two degrees is no line
+constexpr double kSameSide = 0.85;  // cosine up to which two pieces of a ribbon share their sides
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -104,7 +105,11 @@ void addCreases(const Body& body, const SurfaceMesh& surface, LinePieces& out) {
                 seen.emplace(key(a, b), std::array<int, 2>{na, nb});
                 continue;
             }
-            if (twin->second[0] != nb && twin->second[1] != na) {
+            // Faces of one smooth part have normals of their own at a crease's end, but the same.
+            const auto differ = [&](int m, int n) {
+                return surface.normals[at(m)].dot(surface.normals[at(n)]) < kSameNormal;
+            };
+            if (differ(twin->second[0], nb) && differ(twin->second[1], na)) {
                 out.push_back({worldPoint(body, surface.positions, a),
                                worldPoint(body, surface.positions, b)});
             }
