@@ -174,7 +174,6 @@ std::vector<DirectionAssignment> directionAssignments(
                 next.push_back(a);
                 DirectionAssignment& b = next.back();
                 b.byClass.push_back(choice.free ? std::nullopt : std::optional(choice.direction));
-                b.freeClasses += choice.free ? 1 : 0;
                 b.price += choice.price;
                 b.cost += choice.cost;
                 if (!choice.free && flat(b)) next.pop_back();

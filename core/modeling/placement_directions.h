@@ -17,7 +17,6 @@ using FacePairs = std::vector<std::array<int, 2>>;  ///< template face, face of 
 /// Which directions of the model the direction classes of a template take.
 struct DirectionAssignment {
     std::vector<std::optional<ModelDirection>> byClass;  ///< not set: free
-    int freeClasses = 0;
     double price = 0.0;  ///< how far it is from the obvious; in units of a candidate's cost
     double cost = 0.0;   ///< the part of the price that counts after solving, too
 
