@@ -2,6 +2,7 @@
 // The window in German.
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
@@ -118,6 +119,60 @@ TEST_F(German, WhatTheCoreSaysIsGermanToo) {
     EXPECT_EQ(coreText("Something else happened."), "Something else happened.");
 }
 
+TEST_F(German, WhatTheCoreSaysOfSurfacesIsGermanToo) {
+    std::vector<std::string> said;
+    const auto told = [&](const auto& refused) {
+        ASSERT_FALSE(refused);
+        said.push_back(refused.error().message);
+    };
+    const EdgeChoice all;
+    EdgeChoice concave;
+    concave.which = EdgeChoice::Which::Concave;
+    EdgeChoice picked;
+    picked.which = EdgeChoice::Which::Picked;
+    SubdivisionSettings smooth;
+    smooth.on = true;
+    told(document().fillet({all, 3.0, {}, false}));
+    told(document().subdivide(smooth));
+    told(document().unmapStrokes());
+    told(document().exportTo("solid"));
+    drawLines(Hand::Mouse, boxLines());
+    told(document().mapStrokes());
+    ASSERT_TRUE(document().apply());
+    told(document().fillet({all, 0.0, {}, false}));
+    told(document().fillet({all, 3.0, 1000, false}));
+    told(document().fillet({concave, 3.0, {}, false}));
+    told(document().fillet({picked, 3.0, {}, false}));
+    told(document().sharpen(all));
+    told(document().crease(all, 11.0));
+    document().setSurfaceMemoryLimit(1000);
+    told(document().subdivide(smooth));
+    smooth.levels = 1000;
+    told(document().subdivide(smooth));
+    smooth.tolerance = -1.0;
+    told(document().subdivide(smooth));
+    const auto outcome = document().fillet({all, 500.5, {}, false});
+    ASSERT_TRUE(outcome);
+    ASSERT_FALSE(outcome->clamped.empty());
+    for (const ClampedEdge& c : outcome->clamped) {
+        said.push_back(clampText(document().state().bodies, c));
+    }
+    for (const std::string& s : said) {
+        const QString german = coreText(s);
+        EXPECT_NE(german.toStdString(), s);
+        EXPECT_FALSE(german.contains('%')) << german.toStdString();
+        for (const char* english : {" the ", "edge", "radius", "instead", "surface", "room"}) {
+            EXPECT_FALSE(german.contains(english)) << german.toStdString();
+        }
+    }
+    const QLocale before;
+    QLocale::setDefault(QLocale("de"));
+    EXPECT_EQ(coreText("Edge 5 (20 mm long): radius 2.25 mm instead of 5 mm, corner 3 leaves no "
+                       "more room"),
+              "Kante 5 (20 mm lang): Radius 2,25 mm statt 5 mm, Ecke 3 lässt nicht mehr Platz");
+    QLocale::setDefault(before);
+}
+
 TEST(CoreText, IsEnglishInEnglish) {
     for (const char* text : {"Take the Cube", "gap 19 px, threshold 14 px", "one corner", ""}) {
         EXPECT_EQ(coreText(text), text);
@@ -151,6 +206,8 @@ TEST_F(German, NothingIsCutOff) {
     EXPECT_EQ(complaints(), "");
     ASSERT_TRUE(document().apply());
     settle();
+    EXPECT_EQ(complaints(), "");
+    window_->findChild<QDockWidget*>("surfacePanel")->raise();
     EXPECT_EQ(complaints(), "");
 }
 
