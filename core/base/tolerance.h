@@ -200,6 +200,11 @@ inline constexpr double kRelationRank = 1e-3;
 /// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a
 /// degree of drawing error at 95, 18% at 92 (algorithms.md).
 inline constexpr double kUnreliableCornerDeg = 6.0;
+/// A solution whose critical angle is within this many of its own spreads of 90 degrees yields to
+/// the oblique reading; and so it does, where this hand can have meant a right angle at all, within
+/// so many degrees: depth comes out more than three times as long as it is drawn there.
+inline constexpr double kDepthSpreads = 0.7;
+inline constexpr double kStretchedCornerDeg = 2.5;
 /// A corner without real roots is turned this far past 90 degrees to have some [degrees].
 inline constexpr double kSnapMarginDeg = 4.0;
 /// ... if no axis has to turn more than this [degrees].
@@ -248,6 +253,14 @@ inline constexpr double kClearMargin = 4.0;
 inline constexpr double kClearMarginImperfect = 16.0;
 /// ... and its lines are within this fraction of the distance threshold of the solid, rms.
 inline constexpr double kClearResidual = 0.55;
+/// People draw boxes more often than all else: any other template pays this.
+inline constexpr double kBoxesAreUsual = 6.0;
+/// Ink beside an aspect that was laid over the ink as a whole costs this many times more again: the
+/// graph, which would tell what it is, was not asked.
+inline constexpr double kBesideOutline = 2.0;
+/// ... and such a reading is taken by itself up to this price of ink beside it, of edges bare of
+/// ink, and of ink bent along its edges.
+inline constexpr double kOutlineTells = 30.0;
 /// Direction error that hands have besides what their ends' noise explains: degrees per px of
 /// noise, at most this share of the angle threshold.
 inline constexpr double kDirectionPerPx = 2.0;

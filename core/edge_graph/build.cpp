@@ -79,10 +79,7 @@ GraphEdge fitEdge(const Vec2& p0, const Vec2& p1, const std::vector<LinePiece>& 
     return edge;
 }
 
-namespace {
-
-/// Junctions at the weighted least-squares intersection of the refitted edges.
-void placeJunctions(EdgeGraph& graph, double distancePx) {
+void settleJunctions(EdgeGraph& graph, double distancePx) {
     const double wAcross = 1.0 / std::pow(tol::kEndSpreadAcross * distancePx, 2);
     const double wAlong = 1.0 / std::pow(tol::kEndSpreadAlong * distancePx, 2);
     std::vector<Eigen::Matrix2d> m(graph.junctions.size(), Eigen::Matrix2d::Zero());
@@ -116,6 +113,8 @@ void placeJunctions(EdgeGraph& graph, double distancePx) {
         }
     }
 }
+
+namespace {
 
 std::vector<Vec2> pieceOutline(const std::vector<InkLine>& lines, const LinePiece& piece) {
     const InkLine& line = lines[at(piece.line)];
@@ -231,7 +230,7 @@ EdgeGraph finish(const RawGraph& raw, const std::vector<PrunedEdge>& pruned,
         edge.ends = {junctionOf[at(e.v[0])], junctionOf[at(e.v[1])]};
         graph.edges.push_back(std::move(edge));
     }
-    placeJunctions(graph, distancePx);
+    settleJunctions(graph, distancePx);
     setAside(graph, raw, pruned, lines, junctionOf, distancePx);
     findOpenEnds(graph, distancePx);
     return graph;

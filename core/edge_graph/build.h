@@ -57,6 +57,10 @@ GraphDraft draftEdgeGraph(const InkReading& ink, double distancePx,
 GraphEdge fitEdge(const Vec2& p0, const Vec2& p1, const std::vector<LinePiece>& pieces,
                   const std::vector<InkLine>& lines);
 
+/// Puts every junction at the weighted least-squares intersection of its edges' fitted lines, and
+/// tips where no pen stopped at their junction.
+void settleJunctions(EdgeGraph& graph, double distancePx);
+
 /// Settles a draft: drops what borders no region, takes the bends at `straight` (and those that are
 /// certainly none) for the middle of an edge, fits edges and junctions to the ink.
 EdgeGraph settleEdgeGraph(const InkReading& ink, const std::vector<InkLine>& lines, RawGraph raw,

@@ -225,7 +225,9 @@ class Reader {
         if (out_.size() < 2) return;
         // Which comes first: the one that moves the ink less, but a solution that rests on an angle
         // which this hand cannot have meant exactly yields to the oblique reading.
-        const bool unsure = solved && critical.offDeg < 2.0 * spread;
+        const double doubt =
+            std::max(tol::kDepthSpreads * spread, std::min(tol::kStretchedCornerDeg, 2.0 * spread));
+        const bool unsure = solved && critical.offDeg < doubt;
         const bool obliqueFirst = unsure || (!solved && obliqueMoved <= snapMoved);
         if (obliqueFirst) {
             out_.back().cost = out_.front().cost - 0.5;

@@ -14,6 +14,7 @@
 #include "core/modeling/ink_on_solid.h"
 #include "core/modeling/interpretation.h"
 #include "core/modeling/modification.h"
+#include "core/modeling/outline_reading.h"
 #include "core/tlib/matcher.h"
 
 namespace ew {
@@ -145,6 +146,7 @@ class Pipeline {
             tryRepairs(chosen);
             tryImperfect(chosen);
         }
+        if (!chosen.clear || !isBox(chosen.candidates.front())) tryOutlines(chosen);
         rivals(chosen);
         return conclude(chosen);
     }
@@ -223,20 +225,62 @@ class Pipeline {
         std::stable_partition(found.begin(), found.end(), [](const GraphMatch& g) {
             return g.entry->analysis.rectilinear.has_value();
         });
-        for (const GraphMatch& g : found) {
-            context_.worthCost = worthCost_ - r.price;
-            for (RatedCandidate& c : readingsOf(r.graph, g, context_, r.impossibleCorner)) {
-                c.candidate.extraEdges = r.extraEdges;
-                c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
-                if (r.extraEdges > 0)
-                    c.candidate.notes.emplace_back("One line too many was left out.");
-                if (c.withinThresholds)
-                    worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
-                r.candidates.push_back(std::move(c));
-            }
-        }
+        for (const GraphMatch& g : found) addReadings(r, g);
         sortCandidates(r.candidates);
         judge(r);
+    }
+
+    void addReadings(Reading& r, const GraphMatch& match) {
+        context_.worthCost = worthCost_ - r.price;
+        for (RatedCandidate& c : readingsOf(r.graph, match, context_, r.impossibleCorner)) {
+            c.candidate.extraEdges = r.extraEdges;
+            if (!isBox(c)) c.cost += tol::kBoxesAreUsual;
+            c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
+            if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
+            if (c.withinThresholds)
+                worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
+            r.candidates.push_back(std::move(c));
+        }
+    }
+
+    static bool isBox(const RatedCandidate& c) {
+        return c.entry->analysis.convex && c.entry->analysis.rectilinear.has_value();
+    }
+
+    /// Does the best candidate of a reading by outline leave little enough ink aside, and bare of
+    /// ink little enough of its edges, to be taken by itself?
+    bool outlineTells(const Reading& r) const {
+        return r.price + (1 + tol::kBesideOutline) * unexplainedPrice(r.candidates.front()) <=
+               tol::kOutlineTells;
+    }
+
+    /// Aspects laid over the ink: where line ends joined wrongly the outline may still tell.
+    void tryOutlines(Reading& best) {
+        const double distance = options_.thresholds.distancePx;
+        const OutlineOptions o{
+            distance, std::max(tol::kTurnExcuse * distance, tol::kTurnSpreads * spreadPx_)};
+        for (const auto& entry : library_.index().entries) {
+            if (!options_.templateId.empty() && entry->tmpl.id != options_.templateId) continue;
+            if (!entry->analysis.convex || (best.clear && !entry->analysis.rectilinear)) continue;
+            for (OutlineReading& laid : readingsByOutline(ink_, entry, o)) {
+                Reading r;
+                r.graph = std::move(laid.graph);
+                r.graph.noise = ink_.noise;
+                r.otherParts = best.otherParts;
+                r.price = tol::kSecondLookCost + bentPrice(r.graph, ink_.wobblePx) +
+                          tol::kExtraEdgeCost * laid.barePx / (4.0 * distance);
+                addReadings(r, laid.match);
+                // Ink beside an outline that was laid over it was drawn for something.
+                for (RatedCandidate& c : r.candidates)
+                    c.cost += tol::kBesideOutline * unexplainedPrice(c);
+                sortCandidates(r.candidates);
+                judge(r);
+                r.clear = r.clear && outlineTells(r);
+                if (r.candidates.empty()) continue;
+                if (better(r, best)) best = r;
+                readings_.push_back(std::move(r));
+            }
+        }
     }
 
     /// Small corrections of the graph, as far as this hand's errors suggest them.

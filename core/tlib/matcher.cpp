@@ -209,6 +209,13 @@ PlaneGraph planeGraph(const EdgeGraph& graph) {
     return plane;
 }
 
+void measureMatch(GraphMatch& match, const EdgeGraph& graph, double excusePx) {
+    const Drawn drawn(graph);
+    match.parallelDeg = match.bentDeg = 0.0;
+    measureParallels(match, drawn, excusePx);
+    measureBars(match, graph, drawn);
+}
+
 std::vector<GraphMatch> matchGraph(const EdgeGraph& graph, const LibraryIndex& library,
                                    const MatchOptions& options) {
     return Matcher(graph, library, options).run();

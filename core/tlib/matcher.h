@@ -37,6 +37,10 @@ struct MatchOptions {
 std::vector<GraphMatch> matchGraph(const EdgeGraph& graph, const LibraryIndex& library,
                                    const MatchOptions& options);
 
+/// Measures parallelDeg and bentDeg of a match.
+/// \param excusePx  moving an edge's end by this is no turn [px].
+void measureMatch(GraphMatch& match, const EdgeGraph& graph, double excusePx);
+
 /// The Edge Graph as a plane graph, for canonicalForm.
 PlaneGraph planeGraph(const EdgeGraph& graph);
 

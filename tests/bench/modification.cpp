@@ -2,15 +2,14 @@
 // Accuracy of sketching on a solid: draws changes by a model of a hand and counts what is read
 // rightly.
 //
-//   modification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I] [--threads T]
-//                [--dump DIR] [--reasons] [--list]
+//   modification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I] [--style NAME]
+//                [--threads T] [--dump DIR] [--reasons] [--list]
 //
 // N drawings a case, in turn from the first five cameras from which it is legible. Deterministic in
 // the seed; times are not.
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +25,7 @@
 #include "core/solid/visibility.h"
 #include "core/tlib/library.h"
 #include "tests/bench/recognition_report.h"
+#include "tests/bench/thread_time.h"
 #include "tests/support/modification_cases.h"
 #include "tests/support/sketch_generator.h"
 
@@ -37,6 +37,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string only;
     std::string level;
+    HandStyle style = handStyles().front();
     int index = -1;
     int threads = 2;
     std::string dump;
@@ -97,7 +98,8 @@ std::vector<Stroke> drawingOf(const Options& options, const Row& row, std::size_
     const auto name = static_cast<std::uint64_t>(std::hash<std::string>{}(row.name));
     Random hand(
         Random::mix(Random::mix(options.seed, name), static_cast<std::uint64_t>(index), level + 1));
-    return drawByHand(linesOnPlane(caseOf(row, index)), kLevels[level].hand, hand);
+    return drawByHand(linesOnPlane(caseOf(row, index)), kLevels[level].hand, hand,
+                      options.style.habits);
 }
 
 void judge(const ModificationCase& c, const Interpretation& r, std::size_t level, Outcome& out) {
@@ -167,14 +169,13 @@ void work(const Options& options, const std::vector<Row>& rows, const TemplateLi
             InterpretOptions o;
             o.camera = c.camera;
             o.bodies = {c.target};
-            const auto start = std::chrono::steady_clock::now();
+            const double start = threadTimeMs();
             const Interpretation r = interpret(strokes, library, o);
-            const std::chrono::duration<double, std::milli> took =
-                std::chrono::steady_clock::now() - start;
+            const double took = threadTimeMs() - start;
             if (options.index >= 0) printCandidates(c, r);
             judge(c, r, job.level, job.outcome);
             job.outcome.index = job.index;
-            job.outcome.ms = took.count();
+            job.outcome.ms = took;
         }
     };
     std::vector<std::thread> threads;
@@ -330,8 +331,9 @@ int run(const Options& options) {
         }
     }
     work(options, rows, load->library, jobs);
-    std::printf("Modification: %d drawings a case, seed %llu, default thresholds\n", options.count,
-                static_cast<unsigned long long>(options.seed));
+    std::printf("Modification: %d drawings a case, seed %llu, style %s, default thresholds\n",
+                options.count, static_cast<unsigned long long>(options.seed),
+                std::string(options.style.name).c_str());
     print(rows, jobs);
     if (options.reasons) {
         std::map<std::string, int> reasons;
@@ -358,7 +360,8 @@ int usage(const std::string& problem) {
     std::fprintf(
         stderr,
         "%s\nmodification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I]\n"
-        "             [--threads T] [--dump DIR] [--reasons] [--list]\n",
+        "             [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons] "
+        "[--list]\n",
         problem.c_str());
     return 2;
 }
@@ -389,7 +392,13 @@ int main(int argc, char** argv) {
             options.only = value;
         else if (key == "--level")
             options.level = value;
-        else if (key == "--index")
+        else if (key == "--style") {
+            const auto& styles = handStyles();
+            const auto it = std::find_if(styles.begin(), styles.end(),
+                                         [&](const HandStyle& s) { return s.name == value; });
+            if (it == styles.end()) return usage("unknown style: " + value);
+            options.style = *it;
+        } else if (key == "--index")
             options.index = std::max(0, std::atoi(value.c_str()));
         else if (key == "--threads")
             options.threads = std::max(1, std::atoi(value.c_str()));

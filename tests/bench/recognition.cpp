@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawing accuracy: draws random solids by a model of a hand and counts what is read rightly.
 //
-//   recognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I] [--threads T]
-//               [--dump DIR] [--reasons]
+//   recognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I] [--style NAME]
+//               [--threads T] [--dump DIR] [--reasons]
 //
 // N drawings a row (column of the table), the same solids and views on every level. Deterministic
 // in the seed, whatever the number of threads; times are not.
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +21,7 @@
 #include "core/modeling/interpretation.h"
 #include "core/tlib/library.h"
 #include "tests/bench/recognition_report.h"
+#include "tests/bench/thread_time.h"
 #include "tests/support/sketch_generator.h"
 
 namespace ew::test {
@@ -32,6 +32,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string templateId;
     std::string level;
+    HandStyle style = handStyles().front();
     int index = -1;
     int threads = 2;
     std::string dump;
@@ -54,7 +55,8 @@ Drawing makeDrawing(const Options& options, int index, std::size_t level,
     Random shape(Random::mix(options.seed, n));
     Drawing drawing{randomSketch(id, shape, counts), {}};
     Random hand(Random::mix(options.seed, n, level + 1));
-    drawing.strokes = drawByHand(drawing.sketch.drawing.lines(), kLevels[level].hand, hand);
+    drawing.strokes =
+        drawByHand(drawing.sketch.drawing.lines(), kLevels[level].hand, hand, options.style.habits);
     return drawing;
 }
 
@@ -145,13 +147,12 @@ std::vector<Outcome> runLevel(const Options& options, std::size_t level,
             const Drawing drawing = makeDrawing(options, i, level, &mine);
             InterpretOptions interpretOptions;
             interpretOptions.camera = drawing.sketch.camera;
-            const auto start = std::chrono::steady_clock::now();
+            const double start = threadTimeMs();
             const Interpretation reading = interpret(drawing.strokes, library, interpretOptions);
-            const std::chrono::duration<double, std::milli> took =
-                std::chrono::steady_clock::now() - start;
+            const double took = threadTimeMs() - start;
             Outcome outcome = judge(drawing, reading);
             outcome.index = i;
-            outcome.ms = took.count();
+            outcome.ms = took;
             outcomes[static_cast<std::size_t>(i - first)] = std::move(outcome);
         }
         const std::lock_guard lock(mutex);
@@ -212,8 +213,10 @@ int run(const Options& options) {
         printSingle(outcomes);
         return 0;
     }
-    std::printf("Recognition: %d drawings a row, seed %llu, default thresholds, %zu templates\n",
-                options.count, static_cast<unsigned long long>(options.seed), load->library.size());
+    std::printf(
+        "Recognition: %d drawings a row, seed %llu, style %s, default thresholds, %zu templates\n",
+        options.count, static_cast<unsigned long long>(options.seed),
+        std::string(options.style.name).c_str(), load->library.size());
     printRejections(counts);
     printTable(outcomes, options.templateId);
     if (options.templateId.empty()) {
@@ -229,7 +232,7 @@ int usage(const char* problem) {
     std::fprintf(
         stderr,
         "%s\nrecognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I]\n"
-        "            [--threads T] [--dump DIR] [--reasons]\n",
+        "            [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons]\n",
         problem);
     return 2;
 }
@@ -260,7 +263,13 @@ int main(int argc, char** argv) {
             options.templateId = value;
         else if (key == "--level")
             options.level = value;
-        else if (key == "--index")
+        else if (key == "--style") {
+            const auto& styles = handStyles();
+            const auto it = std::find_if(styles.begin(), styles.end(),
+                                         [&](const HandStyle& s) { return s.name == value; });
+            if (it == styles.end()) return usage(("unknown style: " + value).c_str());
+            options.style = *it;
+        } else if (key == "--index")
             options.index = std::max(0, std::atoi(value.c_str()));
         else if (key == "--threads")
             options.threads = std::max(1, std::atoi(value.c_str()));

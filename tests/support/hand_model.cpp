@@ -14,7 +14,8 @@ constexpr double kFadePx = 15.0;   ///< wobble fades towards ends and corners ov
 constexpr double kSlowPx = 25.0;   ///< the pen slows down within this distance of a corner
 constexpr double kSlowest = 0.25;  ///< of the cruising speed, at ends and corners
 constexpr double kShortestStepPx =
-    0.3;  ///< samples nearer than this to an exact corner are left out
+    0.3;                             ///< samples nearer than this to an exact corner are left out
+constexpr double kNoPressure = 1.0;  ///< of a device that knows none
 
 /// Smooth noise along a stroke with standard deviation 1 and correlation length 20 to 60 px (the
 /// autocorrelation of a sine is 0 after a quarter of its wave length).
@@ -99,7 +100,8 @@ struct Path {
 };
 
 /// Where the hand really aims: ends and corners with their errors.
-std::vector<Vec2> misplace(const PlannedStroke& plan, const HandLevel& level, Random& random) {
+std::vector<Vec2> misplace(const PlannedStroke& plan, const HandLevel& level, double overshootPx,
+                           Random& random) {
     std::vector<Vec2> p = plan.points;
     const auto endError = [&](const Vec2& end, const Vec2& next, bool broken) -> Vec2 {
         Vec2 error = random.inDisc(level.endErrorPx);
@@ -111,15 +113,50 @@ std::vector<Vec2> misplace(const PlannedStroke& plan, const HandLevel& level, Ra
     p.front() += endError(plan.points[0], plan.points[1], plan.brokenStart);
     for (std::size_t i = 1; i + 1 < n; ++i) p[i] += random.inDisc(level.endErrorPx / 2.0);
     p.back() += endError(plan.points[n - 1], plan.points[n - 2], plan.brokenEnd);
+    if (overshootPx > 0.0) {
+        const Vec2 back = (p[0] - p[1]).normalized();
+        const Vec2 on = (p[n - 1] - p[n - 2]).normalized();
+        p.front() += random.uniform(0.0, overshootPx) * back;
+        p.back() += random.uniform(0.0, overshootPx) * on;
+    }
     return p;
 }
 
-Path roundCorners(const std::vector<Vec2>& p, double radiusPx) {
+/// Lines as arcs: a polyline through every line's arc, and which of its points are corners.
+struct BowedLines {
+    std::vector<Vec2> points;
+    std::vector<bool> corner;
+};
+
+BowedLines bow(const std::vector<Vec2>& p, double share, Random& random) {
+    constexpr int kPieces = 12;
+    BowedLines out{{p.front()}, {true}};
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        const Vec2 d = p[i] - p[i - 1];
+        const Vec2 side(-d.y(), d.x());
+        const double height = random.uniform(-share, share);
+        for (int k = 1; k < kPieces; ++k) {
+            const double t = static_cast<double>(k) / kPieces;
+            out.points.emplace_back(p[i - 1] + t * d + 4.0 * t * (1.0 - t) * height * side);
+            out.corner.push_back(false);
+        }
+        out.points.push_back(p[i]);
+        out.corner.push_back(true);
+    }
+    return out;
+}
+
+Path roundCorners(const BowedLines& lines, double radiusPx) {
     constexpr int kPieces = 8;
+    const std::vector<Vec2>& p = lines.points;
     Path path;
     path.add(p.front());
     path.slow.push_back({0.0, 1.0});
     for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+        if (!lines.corner[i]) {
+            path.add(p[i]);
+            continue;
+        }
         const Vec2 in = p[i] - p[i - 1];
         const Vec2 out = p[i + 1] - p[i];
         // The wobble is an offset to one side, and the sides trade places where the pen turns back;
@@ -199,10 +236,31 @@ void addHook(std::vector<PenSample>& samples, bool atStart, double hookPx, doubl
     }
 }
 
+/// What a mouse or a plain script leaves of a stroke.
+void asTheDeviceSays(Stroke& stroke, const HandHabits& habits) {
+    for (PenSample& s : stroke.samples) {
+        if (habits.gridPx > 0.0) {
+            s.position = habits.gridPx * (s.position / habits.gridPx).array().round().matrix();
+        }
+        if (habits.timed) continue;
+        s.pressure = kNoPressure;
+        s.timeMs = 0.0;
+    }
+}
+
 Stroke drawStroke(const PlannedStroke& plan, const HandLevel& level, const HandHabits& habits,
                   Random& random) {
     const bool exact = level.wobblePx == 0.0 && level.endErrorPx == 0.0;
-    const Path path = roundCorners(misplace(plan, level, random), 1.5 * level.wobblePx);
+    const std::vector<Vec2> aims = misplace(plan, level, exact ? 0.0 : habits.overshootPx, random);
+    if (habits.cornersOnly) {
+        Stroke corners;
+        for (const Vec2& p : aims) corners.samples.push_back({p, kNoPressure, 0.0});
+        return corners;
+    }
+    const BowedLines lines = exact || habits.bowShare == 0.0
+                                 ? BowedLines{aims, std::vector<bool>(aims.size(), true)}
+                                 : bow(aims, habits.bowShare, random);
+    const Path path = roundCorners(lines, 1.5 * level.wobblePx);
     const SmoothNoise wobble(random);
     Stroke stroke;
     Vec2 tremor = Vec2::Zero();
@@ -224,10 +282,39 @@ Stroke drawStroke(const PlannedStroke& plan, const HandLevel& level, const HandH
             addHook(stroke.samples, atStart, level.hookPx, habits.samplePeriodMs, random);
         }
     }
+    asTheDeviceSays(stroke, habits);
     return stroke;
 }
 
+HandHabits mouse() {
+    HandHabits h;
+    h.cruisePx = {10.0, 24.0};
+    h.gridPx = 1.0;
+    h.timed = false;
+    return h;
+}
+
+HandHabits designer() {
+    HandHabits h;
+    h.bowShare = 0.015;
+    h.overshootPx = 10.0;
+    return h;
+}
+
+HandHabits vectorDrawing() {
+    HandHabits h;
+    h.cornersOnly = true;
+    h.timed = false;
+    return h;
+}
+
 }  // namespace
+
+const std::array<HandStyle, 4>& handStyles() {
+    static const std::array<HandStyle, 4> styles{
+        {{"pen", {}}, {"mouse", mouse()}, {"designer", designer()}, {"vector", vectorDrawing()}}};
+    return styles;
+}
 
 std::vector<Stroke> drawByHand(const std::vector<Line2>& lines, const HandLevel& level,
                                Random& random, const HandHabits& habits) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "core/stroke/stroke.h"
@@ -47,7 +48,26 @@ struct HandHabits {
     double hookProbability = 0.3;  ///< per stroke end, where the level has hooks
     double samplePeriodMs = 8.0;
     std::array<double, 2> cruisePx{3.0, 6.0};  ///< px a sample away from corners and ends
+    /// Lines bow to one side: sagitta as a share of the length, up to this, either way. 0 for an
+    /// exact hand.
+    double bowShare = 0.0;
+    /// Strokes run past both of their ends by up to this [px], as designers' lines do. 0 for an
+    /// exact hand.
+    double overshootPx = 0.0;
+    double gridPx = 0.0;  ///< positions are rounded to multiples of this [px], as a mouse's are
+    bool timed = true;    ///< false: no times, no pressure
+    bool cornersOnly = false;  ///< no samples but ends and corners, as a vector drawing has
 };
+
+/// A way of drawing besides the level: what device, what schooling.
+struct HandStyle {
+    std::string_view name;
+    HandHabits habits;
+};
+
+/// "pen": the habits above. "mouse": whole pixels, 10 to 24 px apart, untimed. "designer": bowed
+/// lines (1.5%) that run past their ends by up to 10 px. "vector": ends and corners only, untimed.
+const std::array<HandStyle, 4>& handStyles();
 
 /// Draws the lines by hand: which strokes, in random order and direction, and every sample of them.
 ///

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/outline_reading.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "core/base/tolerance.h"
+#include "core/modeling/rectilinear_fit.h"
+#include "core/modeling/sighting.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A point of ink and how the pen went there.
+struct InkPoint {
+    Vec2 position;
+    Vec2 direction;  ///< unit, without sense
+    int stroke;
+};
+
+std::vector<InkPoint> inkPoints(const InkReading& ink) {
+    constexpr std::size_t kBeside = 2;
+    std::vector<InkPoint> points;
+    for (const Segment& s : ink.segments) {
+        const std::size_t n = s.points.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec2 d =
+                s.points[std::min(n - 1, i + kBeside)] - s.points[i - std::min(i, kBeside)];
+            const Vec2 along = d.norm() > 1e-9 ? d : Vec2(s.b - s.a);
+            points.push_back({s.points[i], along.normalized(), s.stroke});
+        }
+    }
+    return points;
+}
+
+/// Convex hull, clockwise on the screen (y down).
+std::vector<Vec2> convexHull(const std::vector<InkPoint>& ink) {
+    std::vector<Vec2> p;
+    for (const InkPoint& i : ink) p.push_back(i.position);
+    std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    std::vector<Vec2> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t start = hull.size();
+        for (const Vec2& q : p) {
+            while (hull.size() >= start + 2 &&
+                   cross2(hull.back() - hull[hull.size() - 2], q - hull.back()) <= 0) {
+                hull.pop_back();
+            }
+            hull.push_back(q);
+        }
+        hull.pop_back();
+        std::reverse(p.begin(), p.end());
+    }
+    return hull;
+}
+
+/// Takes the corners out that matter least until n are left.
+void simplify(std::vector<Vec2>& polygon, std::size_t n) {
+    const auto area = [&](std::size_t i) {
+        const std::size_t m = polygon.size();
+        const Vec2& a = polygon[(i + m - 1) % m];
+        return std::abs(cross2(polygon[i] - a, polygon[(i + 1) % m] - a));
+    };
+    while (polygon.size() > n) {
+        std::size_t least = 0;
+        for (std::size_t i = 1; i < polygon.size(); ++i) {
+            if (area(i) < area(least)) least = i;
+        }
+        polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(least));
+    }
+}
+
+/// The vertices of a graph's outline in order, clockwise on the screen; empty where it touches
+/// itself.
+std::vector<int> outlineOf(const PlaneGraph& graph) {
+    const RotationSystem rotation = rotationOf(graph);
+    std::vector<PlaneFace> faces = facesOf(graph, rotation);
+    const auto widest = std::max_element(
+        faces.begin(), faces.end(),
+        [](const PlaneFace& a, const PlaneFace& b) { return std::abs(a.area) < std::abs(b.area); });
+    std::vector<int> outline;
+    if (widest == faces.end()) return outline;
+    for (const int d : widest->loop) outline.push_back(rotation.origin[at(d)]);
+    if (widest->area < 0) std::reverse(outline.begin(), outline.end());
+    std::vector<int> sorted = outline;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) outline.clear();
+    return outline;
+}
+
+double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
+    const Vec2 d = b - a;
+    const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), 0.0, 1.0);
+    return (p - a - t * d).norm();
+}
+
+/// One aspect laid over the ink.
+class Laying {
+  public:
+    Laying(const std::vector<InkPoint>& ink, const std::shared_ptr<const LibraryEntry>& entry,
+           const Aspect& aspect, const OutlineOptions& options)
+        : ink_(ink), entry_(entry), aspect_(aspect), options_(options) {}
+
+    struct Result {
+        OutlineReading reading;
+        double cost = 0.0;  ///< mean squared distance and bare length, to choose between layings
+    };
+
+    std::vector<Result> run(const std::vector<Vec2>& hull) {
+        const std::vector<int> outline = outlineOf(aspect_.graph);
+        std::vector<Result> found;
+        if (outline.size() < 3 || hull.size() < outline.size()) return found;
+        std::vector<Vec2> corners = hull;
+        simplify(corners, outline.size());
+        std::set<std::vector<int>> known;
+        const std::size_t n = outline.size();
+        for (const bool mirrored : {false, true}) {
+            for (std::size_t turn = 0; turn < n; ++turn) {
+                std::vector<int> onCorner(n);
+                for (std::size_t i = 0; i < n; ++i) {
+                    const std::size_t k = mirrored ? (turn + n - i) % n : (turn + i) % n;
+                    onCorner[i] = outline[k];
+                }
+                if (!known.insert(orbit(onCorner)).second) continue;
+                if (auto r = lay(onCorner, corners, mirrored)) found.push_back(std::move(*r));
+            }
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Result& a, const Result& b) { return a.cost < b.cost; });
+        if (found.size() > kMostAnAspect) found.resize(kMostAnAspect);
+        return found;
+    }
+
+  private:
+    /// The least image, under the template's symmetries, of the template vertices on the corners
+    /// and inside.
+    std::vector<int> orbit(std::vector<int> onCorner) const {
+        for (std::size_t v = 0; v < aspect_.vertex.size(); ++v) {
+            if (!aspect_.outer[v]) onCorner.push_back(static_cast<int>(v));
+        }
+        std::vector<int> best;
+        for (const auto& map : entry_->symmetries) {
+            std::vector<int> image;
+            for (const int v : onCorner) image.push_back(map[at(aspect_.vertex[at(v)])]);
+            if (best.empty() || image < best) best = std::move(image);
+        }
+        return best;
+    }
+
+    std::optional<Result> lay(const std::vector<int>& onCorner, const std::vector<Vec2>& corners,
+                              bool mirrored) {
+        Result out;
+        GraphMatch& m = out.reading.match;
+        m.entry = entry_;
+        m.aspect = std::shared_ptr<const Aspect>(entry_, &aspect_);
+        m.mirrored = mirrored;
+        m.vertex = aspect_.vertex;
+        m.edge = aspect_.edge;
+        if (!start(onCorner, corners, m)) return std::nullopt;
+        for (int round = 0; round < kRounds; ++round) {
+            if (!assign()) return std::nullopt;
+            out.reading.graph = fitted(out.reading.barePx);
+            settleJunctions(out.reading.graph, options_.distancePx);
+            for (std::size_t v = 0; v < place_.size(); ++v) {
+                place_[v] = out.reading.graph.junctions[v].position;
+            }
+            if (round + 1 < kRounds) regularise(out.reading.graph, m);
+        }
+        for (const Vec2& p : place_) {
+            if (!p.allFinite()) return std::nullopt;
+        }
+        measureMatch(m, out.reading.graph, options_.excusePx);
+        out.cost = misses_ + tol::kExtraEdgeCost * out.reading.barePx / options_.distancePx;
+        return out;
+    }
+
+    /// Where every vertex is at first: outline vertices on the corners of the ink, the others where
+    /// the template's regularity or its picture puts them.
+    bool start(const std::vector<int>& onCorner, const std::vector<Vec2>& corners,
+               const GraphMatch& m) {
+        place_.assign(aspect_.graph.points.size(), Vec2::Zero());
+        std::vector<bool> known(place_.size(), false);
+        for (std::size_t i = 0; i < onCorner.size(); ++i) {
+            place_[at(onCorner[i])] = corners[i];
+            known[at(onCorner[i])] = true;
+        }
+        if (std::find(known.begin(), known.end(), false) == known.end()) return true;
+        if (entry_->analysis.rectilinear) {
+            EdgeGraph graph;
+            GraphMatch part = m;
+            part.vertex.clear();
+            part.edge.clear();
+            std::vector<int> number(place_.size(), -1);
+            for (std::size_t v = 0; v < place_.size(); ++v) {
+                if (!known[v]) continue;
+                number[v] = static_cast<int>(graph.junctions.size());
+                graph.junctions.push_back({place_[v]});
+                part.vertex.push_back(m.vertex[v]);
+            }
+            for (std::size_t e = 0; e < aspect_.graph.edges.size(); ++e) {
+                const auto& ends = aspect_.graph.edges[e];
+                if (number[at(ends[0])] < 0 || number[at(ends[1])] < 0) continue;
+                GraphEdge edge;
+                edge.ends = {number[at(ends[0])], number[at(ends[1])]};
+                edge.tips = {place_[at(ends[0])], place_[at(ends[1])]};
+                graph.edges.push_back(edge);
+                part.edge.push_back(m.edge[e]);
+            }
+            return regularise(graph, part);
+        }
+        Eigen::MatrixXd from(static_cast<Eigen::Index>(onCorner.size()), 3);
+        Eigen::MatrixXd to(from.rows(), 2);
+        for (std::size_t i = 0; i < onCorner.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            from.row(row) << aspect_.graph.points[at(onCorner[i])].transpose(), 1.0;
+            to.row(row) = corners[i].transpose();
+        }
+        const Eigen::MatrixXd map = from.colPivHouseholderQr().solve(to);
+        for (std::size_t v = 0; v < place_.size(); ++v) {
+            if (known[v]) continue;
+            const Eigen::RowVector3d p(aspect_.graph.points[v].x(), aspect_.graph.points[v].y(),
+                                       1.0);
+            place_[v] = (p * map).transpose();
+        }
+        return true;
+    }
+
+    /// Moves the vertices to the nearest picture of the template, where that is in closed form.
+    bool regularise(const EdgeGraph& graph, const GraphMatch& m) {
+        if (!entry_->analysis.rectilinear) return true;
+        const auto picture = fitAffine(sightingOf(graph, m, options_.distancePx), entry_->analysis);
+        if (!picture) return false;
+        for (std::size_t v = 0; v < place_.size(); ++v) {
+            place_[v] = picture->at(*entry_->analysis.rectilinear, at(aspect_.vertex[v]));
+            if (!place_[v].allFinite()) return false;
+        }
+        return true;
+    }
+
+    /// Gives every point of ink to the edge that it runs beside; false where an edge goes without.
+    bool assign() {
+        const std::size_t n = aspect_.graph.edges.size();
+        taken_.assign(n, {});
+        misses_ = 0;
+        for (const InkPoint& p : ink_) {
+            std::size_t best = n;
+            double least = options_.distancePx;
+            for (std::size_t e = 0; e < n; ++e) {
+                const Vec2& a = place_[at(aspect_.graph.edges[e][0])];
+                const Vec2& b = place_[at(aspect_.graph.edges[e][1])];
+                const double sine = std::abs(cross2(p.direction, (b - a).normalized()));
+                if (sine > kMostTurnSine) continue;
+                // Where two edges are as near, direction decides.
+                const double d =
+                    distanceToSegment(p.position, a, b) + kTurnPx * sine * options_.distancePx;
+                if (d < least) {
+                    least = d;
+                    best = e;
+                }
+            }
+            if (best == n) continue;
+            taken_[best].push_back(&p);
+            misses_ += least * least;
+        }
+        misses_ /= static_cast<double>(std::max<std::size_t>(1, ink_.size()));
+        return std::all_of(taken_.begin(), taken_.end(),
+                           [](const auto& points) { return points.size() >= 2; });
+    }
+
+    EdgeGraph fitted(double& barePx) const {
+        EdgeGraph graph;
+        barePx = 0;
+        for (const Vec2& p : place_) graph.junctions.push_back({p});
+        for (std::size_t e = 0; e < taken_.size(); ++e) {
+            const auto& ends = aspect_.graph.edges[e];
+            const Vec2& a = place_[at(ends[0])];
+            const Vec2& b = place_[at(ends[1])];
+            InkLine line;
+            std::set<int> strokes;
+            for (const InkPoint* p : taken_[e]) {
+                line.points.push_back(p->position);
+                strokes.insert(p->stroke);
+            }
+            line.strokes.assign(strokes.begin(), strokes.end());
+            const Vec2 u = (b - a).normalized();
+            const auto along = [&](const Vec2& p) { return (p - a).dot(u); };
+            const auto [first, last] = std::minmax_element(
+                line.points.begin(), line.points.end(),
+                [&](const Vec2& p, const Vec2& q) { return along(p) < along(q); });
+            line.a = *first;
+            line.b = *last;
+            line.inkPx = line.length();
+            barePx += std::max(0.0, bare(line.points, a, b) - options_.distancePx);
+            GraphEdge edge = fitEdge(a, b, {{0, 0.0, line.length()}}, {line});
+            edge.ends = ends;
+            graph.edges.push_back(std::move(edge));
+        }
+        return graph;
+    }
+
+    /// Length of an edge that no point of its ink is near.
+    static double bare(const std::vector<Vec2>& ink, const Vec2& a, const Vec2& b) {
+        constexpr double kCellPx = 4.0;
+        const double len = (b - a).norm();
+        const auto cells = static_cast<std::size_t>(std::ceil(len / kCellPx));
+        std::vector<bool> covered(cells, false);
+        for (const Vec2& p : ink) {
+            const double t = (p - a).dot(b - a) / std::max(len, 1e-9) / kCellPx;
+            for (const double near : {t - 0.7, t, t + 0.7}) {
+                if (near >= 0 && near < static_cast<double>(cells)) {
+                    covered[static_cast<std::size_t>(near)] = true;
+                }
+            }
+        }
+        return len / static_cast<double>(std::max<std::size_t>(1, cells)) *
+               static_cast<double>(std::count(covered.begin(), covered.end(), false));
+    }
+
+    static constexpr std::size_t kMostAnAspect = 2;
+    static constexpr int kRounds = 4;
+    static constexpr double kMostTurnSine = 0.6;
+    static constexpr double kTurnPx =
+        0.5;  ///< a right angle counts like this [distance thresholds]
+
+    const std::vector<InkPoint>& ink_;
+    const std::shared_ptr<const LibraryEntry>& entry_;
+    const Aspect& aspect_;
+    const OutlineOptions& options_;
+    std::vector<Vec2> place_;                          ///< per vertex of the aspect
+    std::vector<std::vector<const InkPoint*>> taken_;  ///< per edge of the aspect
+    double misses_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<OutlineReading> readingsByOutline(const InkReading& ink,
+                                              const std::shared_ptr<const LibraryEntry>& entry,
+                                              const OutlineOptions& options) {
+    std::vector<OutlineReading> out;
+    if (!entry->analysis.convex) return out;
+    const std::vector<InkPoint> points = inkPoints(ink);
+    if (points.size() < 8) return out;
+    const std::vector<Vec2> hull = convexHull(points);
+    for (const Aspect& aspect : entry->aspects) {
+        if (aspect.kind != AspectKind::Explicit ||
+            std::find(aspect.vertex.begin(), aspect.vertex.end(), -1) != aspect.vertex.end()) {
+            continue;
+        }
+        for (auto& r : Laying(points, entry, aspect, options).run(hull)) {
+            out.push_back(std::move(r.reading));
+        }
+    }
+    return out;
+}
+
+}  // namespace ew

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/outline_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/modeling/reading_fixture.h"
+#include "tests/support/sketch_generator.h"
+
+namespace ew {
+namespace {
+
+std::shared_ptr<const LibraryEntry> entryOf(const std::string& id) {
+    const LibraryIndex& index = test::shippedLibrary().index();
+    return index.entries[static_cast<std::size_t>(index.byId.at(id))];
+}
+
+InkReading boxInk(const std::vector<std::size_t>& leftOut = {}) {
+    const std::vector<Stroke> all = test::boxStrokes({}, Vec3(60, 40, 30), Vec3(-30, -20, 0));
+    std::vector<Stroke> strokes;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::find(leftOut.begin(), leftOut.end(), i) == leftOut.end())
+            strokes.push_back(all[i]);
+    }
+    return readInk(strokes, 14.0);
+}
+
+TEST(OutlineReading, LaysABoxOnABox) {
+    const auto found = readingsByOutline(boxInk(), entryOf("cube"), {});
+    ASSERT_FALSE(found.empty());
+    const OutlineReading& r = found.front();
+    EXPECT_EQ(r.graph.junctions.size(), 7u);
+    EXPECT_EQ(r.graph.edges.size(), 9u);
+    EXPECT_EQ(r.barePx, 0.0);
+    EXPECT_LT(r.match.parallelDeg, 0.1);
+    const OrthographicCamera camera;
+    // Every corner of the drawing is a junction.
+    for (const Vec3& p : {Vec3(30, -20, 30), Vec3(-30, -20, 30), Vec3(30, 20, 30), Vec3(30, -20, 0),
+                          Vec3(-30, 20, 30), Vec3(30, 20, 0), Vec3(-30, -20, 0)}) {
+        const Vec2 px = camera.project(p);
+        EXPECT_TRUE(std::any_of(r.graph.junctions.begin(), r.graph.junctions.end(),
+                                [&](const Junction& j) { return (j.position - px).norm() < 0.5; }))
+            << px.transpose();
+    }
+}
+
+TEST(OutlineReading, SaysHowMuchOfItsEdgesIsBare) {
+    // Half of an inner edge is not drawn.
+    std::vector<Stroke> strokes = test::boxStrokes({}, Vec3(60, 40, 30), Vec3(-30, -20, 0));
+    auto& samples = strokes.front().samples;
+    const double length = (samples[1].position - samples[0].position).norm();
+    samples[1].position = 0.5 * (samples[0].position + samples[1].position);
+    const auto found = readingsByOutline(readInk(strokes, 14.0), entryOf("cube"), {});
+    ASSERT_FALSE(found.empty());
+    EXPECT_NEAR(found.front().barePx, 0.5 * length - 14.0, 8.0);
+}
+
+TEST(OutlineReading, NeedsInkForEveryEdge) {
+    EXPECT_TRUE(readingsByOutline(boxInk({0}), entryOf("cube"), {}).empty());
+}
+
+TEST(OutlineReading, LeavesTemplatesThatAreNotConvexAlone) {
+    EXPECT_TRUE(readingsByOutline(boxInk(), entryOf("l-prism"), {}).empty());
+}
+
+// Corners of these boxes lie so close together that a normal hand's ends join wrongly.
+TEST(OutlineReading, BoxesWithANarrowFaceAreStillBoxes) {
+    for (const std::uint64_t index : {9u, 22u, 105u, 298u, 913u, 962u}) {
+        SCOPED_TRACE(index);
+        test::Random shape(test::Random::mix(21, index));
+        const test::SketchCase sketch = test::randomSketch("cube", shape);
+        test::Random hand(test::Random::mix(21, index, 3));
+        InterpretOptions o;
+        o.camera = sketch.camera;
+        const auto r = test::readStrokes(
+            test::drawByHand(sketch.drawing.lines(), test::kNormalHand, hand), o);
+        ASSERT_TRUE(r.accepted);
+        EXPECT_EQ(r.candidates[static_cast<std::size_t>(*r.accepted)].templateId, "cube");
+    }
+}
+
+}  // namespace
+}  // namespace ew
