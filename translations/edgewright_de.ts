@@ -60,6 +60,14 @@
         <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
     </message>
     <message>
+        <source>Seen from here a %1 looks like simpler solids; choose it, or turn the view and draw again.</source>
+        <translation>Von hier aus sieht %1 wie einfachere Körper aus; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Seen from here this could be %1, or something simpler; choose it, or turn the view and draw again.</source>
+        <translation>Von hier aus lesbar als %1 oder etwas Einfacheres; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
+    </message>
+    <message>
         <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5).</source>
         <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4 und %5).</translation>
     </message>
@@ -84,12 +92,20 @@
         <translation>Diese Linien und die Kanten, die sie treffen, zeigen keine Vorlage am Körper.</translation>
     </message>
     <message>
+        <source>These lines are edges of the solid already: nothing would change.</source>
+        <translation>Diese Linien sind schon Kanten des Körpers: Nichts würde sich ändern.</translation>
+    </message>
+    <message>
         <source>There is no template &quot;%1&quot; in the library.</source>
         <translation>Es gibt keine Vorlage „%1“ in der Bibliothek.</translation>
     </message>
     <message>
         <source>There are %1 strokes; at most %2 are read at once.</source>
         <translation>Das sind %1 Striche; höchstens %2 werden auf einmal gelesen.</translation>
+    </message>
+    <message>
+        <source>There are more lines than the %1 that are read at once; draw one solid at a time.</source>
+        <translation>Das sind mehr Linien als die %1, die auf einmal gelesen werden; Körper einzeln zeichnen.</translation>
     </message>
     <message>
         <source>There are %1 pending strokes already; apply or clear them first.</source>

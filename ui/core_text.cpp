@@ -41,6 +41,12 @@ constexpr const char* kSentences[] = {
         "Core", "This could be a %1, but only without some of the lines; choose it, or draw on."),
     QT_TRANSLATE_NOOP(
         "Core", "This could be %1, but only without some of the lines; choose it, or draw on."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Seen from here a %1 looks like simpler solids; choose it, or turn the view "
+                      "and draw again."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Seen from here this could be %1, or something simpler; choose it, or turn "
+                      "the view and draw again."),
     QT_TRANSLATE_NOOP(
         "Core", "No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5)."),
     QT_TRANSLATE_NOOP("Core",
@@ -52,8 +58,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "No template matches this drawing."),
     QT_TRANSLATE_NOOP("Core",
                       "These lines and the edges that they meet show no template on the solid."),
+    QT_TRANSLATE_NOOP("Core", "These lines are edges of the solid already: nothing would change."),
     QT_TRANSLATE_NOOP("Core", "There is no template \"%1\" in the library."),
     QT_TRANSLATE_NOOP("Core", "There are %1 strokes; at most %2 are read at once."),
+    QT_TRANSLATE_NOOP("Core",
+                      "There are more lines than the %1 that are read at once; draw one solid at a "
+                      "time."),
     QT_TRANSLATE_NOOP("Core", "There are %1 pending strokes already; apply or clear them first."),
     QT_TRANSLATE_NOOP("Core", "This can be read as %1; choose one."),
     QT_TRANSLATE_NOOP("Core", "Nothing is drawn yet."),

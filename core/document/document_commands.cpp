@@ -5,6 +5,7 @@
 
 #include "core/document/document.h"
 #include "core/document/document_private.h"
+#include "core/document/json_text.h"
 #include "core/document/template_from_solid.h"
 
 namespace ew {
@@ -172,7 +173,7 @@ ApplyStep applyStep(const ApplyRequest& request) {
 Result<void> checkRequest(const ApplyRequest& request, const DocumentState& state) {
     if (!request.templateId.empty() && state.library.find(request.templateId) < 0) {
         return fail(Errc::UnknownTemplate,
-                    "There is no template with the id \"" + request.templateId + "\".");
+                    "There is no template with the id " + nameQuoted(request.templateId) + ".");
     }
     const double k = *request.obliqueFactor;
     if (!(k >= kMinObliqueFactor && k <= kMaxObliqueFactor)) {
@@ -383,13 +384,21 @@ Result<void> Document::deleteBodies() {
     return {};
 }
 
+namespace {
+
+std::string onlySo(int steps) {
+    return steps == 1 ? "There is only one step"
+                      : "There are only " + std::to_string(steps) + " steps";
+}
+
+}  // namespace
+
 Result<void> Document::undo(int count) {
     if (count < 1) return fail(Errc::BadValue, "Undo needs a count of at least 1.");
     if (count > d_->stackIndex) {
-        return fail(Errc::NothingToUndo,
-                    d_->stackIndex == 0
-                        ? "There is nothing to undo."
-                        : "There are only " + std::to_string(d_->stackIndex) + " steps to undo.");
+        return fail(Errc::NothingToUndo, d_->stackIndex == 0
+                                             ? "There is nothing to undo."
+                                             : onlySo(d_->stackIndex) + " to undo.");
     }
     d_->stack.setIndex(d_->stackIndex - count);
     return {};
@@ -400,8 +409,7 @@ Result<void> Document::redo(int count) {
     const int left = d_->stack.count() - d_->stackIndex;
     if (count > left) {
         return fail(Errc::NothingToRedo,
-                    left == 0 ? "There is nothing to redo."
-                              : "There are only " + std::to_string(left) + " steps to redo.");
+                    left == 0 ? "There is nothing to redo." : onlySo(left) + " to redo.");
     }
     d_->stack.setIndex(d_->stackIndex + count);
     return {};

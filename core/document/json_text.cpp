@@ -50,7 +50,8 @@ class TreeBuilder {
         json& object = *stack_.back();
         if (!charge(kKeyCost + k.size())) return false;
         const auto [it, isNew] = object.get_ref<json::object_t&>().try_emplace(k, nullptr);
-        if (!isNew) return stop(Errc::Syntax, "the key \"" + k + "\" comes twice in one object");
+        if (!isNew)
+            return stop(Errc::Syntax, "the key " + nameQuoted(k) + " comes twice in one object");
         slot_ = &it->second;
         return true;
     }
@@ -164,7 +165,7 @@ ObjectReader::ObjectReader(const json& value, std::string place)
 void ObjectReader::allowOnly(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : object_.items()) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-            throwRead(Errc::UnknownKey, place_ + ": unknown key " + jsonQuoted(key));
+            throwRead(Errc::UnknownKey, place_ + ": unknown key " + nameQuoted(key));
         }
     }
 }
@@ -241,6 +242,15 @@ std::string numberText(double value) {
 
 std::string jsonQuoted(std::string_view text) {
     return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string nameQuoted(std::string_view name) {
+    constexpr std::size_t kMostBytes = 80;
+    if (name.size() <= kMostBytes) return jsonQuoted(name);
+    std::size_t end = kMostBytes;
+    const auto inCharacter = [&](std::size_t i) { return (name[i] & 0xC0) == 0x80; };
+    while (end > 0 && inCharacter(end)) --end;
+    return jsonQuoted(std::string(name.substr(0, end)) + "...");
 }
 
 std::string vecText(const Vec2& v) {

@@ -67,6 +67,8 @@ Vec3 readVec3(const nlohmann::json& value, const std::string& place);
 std::string numberText(double value);
 /// A JSON string literal; bytes that are no UTF-8 become U+FFFD.
 std::string jsonQuoted(std::string_view text);
+/// The same for a message: a name that goes on and on is cut off.
+std::string nameQuoted(std::string_view name);
 /// "[x, y]" and "[x, y, z]".
 std::string vecText(const Vec2& v);
 std::string vecText(const Vec3& v);

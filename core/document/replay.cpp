@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 
+#include "core/document/json_text.h"
 #include "core/document/recorder.h"
 
 namespace ew {
@@ -104,7 +105,7 @@ class StepRunner {
     Result<void> operator()(const UndoStep& s) { return document_.undo(s.count); }
     Result<void> operator()(const RedoStep& s) { return document_.redo(s.count); }
     Result<void> operator()(const SaveStep& s) {
-        const auto path = pathInside(options_.scriptFolder, QString::fromStdString(s.path));
+        const auto path = pathToWrite(options_.scriptFolder, s.path);
         if (!path) return fail(path.error());
         return document_.save(*path);
     }
@@ -114,16 +115,21 @@ class StepRunner {
         return document_.open(*path);
     }
     Result<void> operator()(const ExportStep& s) {
-        const auto path = pathInside(options_.outFolder, QString::fromStdString(s.path));
+        const auto path = pathToWrite(options_.outFolder, s.path);
         if (!path) return fail(path.error());
-        if (!QDir().mkpath(QFileInfo(*path).path())) {
-            return fail(Errc::CannotWrite,
-                        "The folder of " + path->toStdString() + " cannot be made.");
-        }
         return document_.exportTo(*path);
     }
 
   private:
+    /// pathInside, with the folder of the file made where it is not there.
+    static Result<QString> pathToWrite(const QString& folder, const std::string& file) {
+        auto path = pathInside(folder, QString::fromStdString(file));
+        if (path && !QDir().mkpath(QFileInfo(*path).path())) {
+            return fail(Errc::CannotWrite,
+                        "The folder of " + path->toStdString() + " cannot be made.");
+        }
+        return path;
+    }
     template <class T>
     static Result<void> dropValue(const Result<T>& result) {
         if (!result) return fail(result.error());
@@ -171,9 +177,9 @@ const StepReport* ReplayReport::firstFailure() const {
 Result<QString> pathInside(const QString& folder, const QString& path) {
     const QString clean = QDir::cleanPath(path);
     if (QDir::isAbsolutePath(path) || clean == ".." || clean.startsWith("../") || clean == "." ||
-        clean.contains(QChar(0))) {
-        return fail(Errc::BadValue, "The path \"" + path.toStdString() +
-                                        "\" must name a file inside the folder it is relative to.");
+        path.endsWith('/') || clean.contains(QChar(0))) {
+        return fail(Errc::BadValue, "The path " + nameQuoted(path.toStdString()) +
+                                        " must name a file inside the folder it is relative to.");
     }
     return QDir(folder.isEmpty() ? QStringLiteral(".") : folder).absoluteFilePath(clean);
 }

@@ -251,7 +251,7 @@ ScriptStep readStep(const json& value, std::size_t index) {
     const std::string& word = readString(unnamed.require("do"), unnamed.at("do"));
     const auto found = stepReaders().find(word);
     if (found == stepReaders().end()) {
-        throwRead(Errc::BadValue, number + ": there is no step called " + jsonQuoted(word));
+        throwRead(Errc::BadValue, number + ": there is no step called " + nameQuoted(word));
     }
     return found->second(ObjectReader(value, number + " (" + word + ")"));
 }
@@ -279,7 +279,7 @@ SketchScript scriptFromJson(const json& value) {
     const std::string& format = readString(file.require("format"), file.at("format"));
     if (format != "edgewright-sketch") {
         throwRead(Errc::WrongFormat,
-                  "script: this is not a sketch script (its format is " + jsonQuoted(format) + ")");
+                  "script: this is not a sketch script (its format is " + nameQuoted(format) + ")");
     }
     const json& version = file.require("version");
     if (!version.is_number_integer()) {

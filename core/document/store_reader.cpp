@@ -247,7 +247,7 @@ DocumentFile DocumentReader::read(const json& tree) {
     const std::string& format = readString(in.require("format"), in.at("format"));
     if (format != "edgewright-document") {
         throwRead(Errc::WrongFormat,
-                  "this is not an Edgewright document (its format is " + jsonQuoted(format) + ")");
+                  "this is not an Edgewright document (its format is " + nameQuoted(format) + ")");
     }
     const json& version = in.require("version");
     if (!version.is_number_integer()) {

@@ -211,6 +211,13 @@ InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
     return ink;
 }
 
+bool isCrowded(const InkReading& ink, double distancePx) {
+    ConsolidateOptions options;
+    options.distancePx = distancePx;
+    options.mostLines = kMaxLines;
+    return consolidate(ink.segments, options).size() > kMaxLines;
+}
+
 namespace {
 
 EdgeGraph finish(const RawGraph& raw, const std::vector<PrunedEdge>& pruned,

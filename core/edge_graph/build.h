@@ -30,6 +30,14 @@ struct InkReading {
 /// must not come here.
 InkReading readInk(const std::vector<Stroke>& strokes, double distancePx);
 
+/// Most lines, of those drawn twice only one counting, that are read at once: several times the
+/// edges that a template can show, each in several pieces. What comes behind is O(n^2) in lines and
+/// in their crossings.
+inline constexpr std::size_t kMaxLines = 300;
+
+/// Are there more lines than kMaxLines?
+bool isCrowded(const InkReading& ink, double distancePx);
+
 /// Step 1b (paper 4.1.1, case 1): the Edge Graph of straight pieces of ink. Ends within the
 /// distance threshold meet in one junction; ends close to the inside of a line make a T junction;
 /// overshoot is trimmed; what borders no region is dropped and listed as noise or dangling, with

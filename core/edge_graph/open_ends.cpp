@@ -58,6 +58,9 @@ class Search {
         }
     }
     void crossAhead(const Vec2& a, const Vec2& b) {
+        const bool beyond = ((a.cwiseMin(b) - tip_).array() > limit_).any() ||
+                            ((tip_ - a.cwiseMax(b)).array() > limit_).any();
+        if (beyond) return;
         const Vec2 e = b - a;
         const double sine = cross2(out_, e);
         if (std::abs(sine) < 0.2 * e.norm()) return;

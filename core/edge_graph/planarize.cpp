@@ -42,6 +42,7 @@ class Planarizer {
   private:
     int addVertex(const Vec2& p) {
         graph_.vertices.push_back(p);
+        cutLine_.push_back(-1);
         return static_cast<int>(graph_.vertices.size()) - 1;
     }
     double parameter(int line, const Vec2& p) const {
@@ -113,11 +114,14 @@ class Planarizer {
         }
     }
 
-    bool shareVertex(int l, int m) const {
-        for (const Attachment& a : on_[at(l)]) {
-            if (attached(m, a.vertex)) return true;
-        }
-        return false;
+    /// Does a vertex of line m lie on the line that is being cut?
+    bool meetsCutLine(int l, int m) const {
+        return std::any_of(on_[at(m)].begin(), on_[at(m)].end(),
+                           [&](const Attachment& a) { return cutLine_[at(a.vertex)] == l; });
+    }
+    void attachToCutLine(int l, int vertex) {
+        attach(l, vertex);
+        cutLine_[at(vertex)] = l;
     }
 
     /// The vertex of `line` nearest to parameter t, if it is close.
@@ -138,6 +142,7 @@ class Planarizer {
     void cutCrossings() {
         const int n = static_cast<int>(lines_.size());
         for (int l = 0; l < n; ++l) {
+            for (const Attachment& a : on_[at(l)]) cutLine_[at(a.vertex)] = l;
             for (int m = l + 1; m < n; ++m) {
                 const Vec2 dl = lines_[at(l)].direction();
                 const Vec2 dm = lines_[at(m)].direction();
@@ -150,16 +155,16 @@ class Planarizer {
                 const double u = parameter(m, x);
                 const auto sm = span(m);
                 if (u <= sm[0] || u >= sm[1]) continue;
-                if (shareVertex(l, m)) continue;
+                if (meetsCutLine(l, m)) continue;
                 const auto vl = vertexNear(l, t);
                 const auto vm = vertexNear(m, u);
                 if (vl) {
                     attach(m, *vl);
                 } else if (vm) {
-                    attach(l, *vm);
+                    attachToCutLine(l, *vm);
                 } else {
                     const int v = addVertex(x);
-                    attach(l, v);
+                    attachToCutLine(l, v);
                     attach(m, v);
                 }
             }
@@ -185,6 +190,7 @@ class Planarizer {
     const std::vector<InkLine>& lines_;
     const PlanarizeOptions& options_;
     std::vector<std::vector<Attachment>> on_;
+    std::vector<int> cutLine_;  ///< by vertex: the last line that was cut and runs through it
     RawGraph graph_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "core/base/tolerance.h"
 
@@ -98,58 +99,115 @@ bool oneLine(const RawGraph::Edge& a, const RawGraph::Edge& b) {
            a.pieces.front().line == b.pieces.front().line;
 }
 
-void unite(RawGraph& graph, int v, int ea, int eb) {
-    RawGraph::Edge& a = graph.edges[at(ea)];
-    RawGraph::Edge& b = graph.edges[at(eb)];
-    if (a.v[1] != v) reverse(a);
-    if (b.v[0] != v) reverse(b);
-    a.v[1] = b.v[1];
-    a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
-    b.alive = false;
-}
-
-bool uniteCertain(RawGraph& graph, double distancePx) {
-    const auto incidence = graph.incidence();
-    for (std::size_t v = 0; v < incidence.size(); ++v) {
-        if (incidence[v].size() != 2) continue;
-        const int vi = static_cast<int>(v);
-        const RawGraph::Edge& a = graph.edges[at(incidence[v][0])];
-        const RawGraph::Edge& b = graph.edges[at(incidence[v][1])];
-        if (otherEnd(a, vi) == otherEnd(b, vi)) continue;
-        const Bend bend = bendAt(graph, vi, a, b);
-        const bool slight =
-            bend.turnDeg < tol::kStraightDeg && bend.bendPx < tol::kSurelyStraightBend * distancePx;
-        if (!oneLine(a, b) && !slight) continue;
-        unite(graph, vi, incidence[v][0], incidence[v][1]);
-        return true;
+/// Takes vertices out of a graph one at a time and keeps the incidence up to date; of what can be
+/// done, doubled edges come first, then vertices in ascending order.
+class Dissolver {
+  public:
+    explicit Dissolver(RawGraph& graph) : graph_(graph), around_(graph.incidence()) {
+        for (std::size_t v = 0; v < around_.size(); ++v) {
+            maybeDoubled_.insert(maybeDoubled_.end(), static_cast<int>(v));
+        }
+        maybeStraight_ = maybeDoubled_;
     }
-    return false;
-}
 
-bool uniteDoubles(RawGraph& graph) {
-    const auto incidence = graph.incidence();
-    for (std::size_t v = 0; v < incidence.size(); ++v) {
-        for (std::size_t i = 0; i < incidence[v].size(); ++i) {
-            for (std::size_t j = i + 1; j < incidence[v].size(); ++j) {
-                RawGraph::Edge& a = graph.edges[at(incidence[v][i])];
-                RawGraph::Edge& b = graph.edges[at(incidence[v][j])];
-                if (otherEnd(a, static_cast<int>(v)) != otherEnd(b, static_cast<int>(v))) continue;
+    /// Everything that is certainly no corner.
+    void certain(double distancePx) {
+        do {
+            doubles();
+        } while (nextStraight(distancePx));
+    }
+
+    /// One vertex of degree 2.
+    void at(int v) {
+        unite(v);
+        doubles();
+    }
+
+    const std::vector<int>& around(int v) const { return around_[index(v)]; }
+
+  private:
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    RawGraph::Edge& edge(int e) { return graph_.edges[index(e)]; }
+
+    void doubles() {
+        while (!maybeDoubled_.empty()) {
+            const int v = *maybeDoubled_.begin();
+            if (!uniteDoubleAt(v)) maybeDoubled_.erase(v);
+        }
+    }
+
+    bool uniteDoubleAt(int v) {
+        const std::vector<int>& list = around_[index(v)];
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            for (std::size_t j = i + 1; j < list.size(); ++j) {
+                const int gone = list[j];
+                RawGraph::Edge& a = edge(list[i]);
+                RawGraph::Edge& b = edge(gone);
+                const int w = otherEnd(a, v);
+                if (w != otherEnd(b, v)) continue;
                 if (a.v[0] != b.v[0]) reverse(b);
                 a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
                 b.alive = false;
+                std::erase(around_[index(v)], gone);
+                std::erase(around_[index(w)], gone);
+                maybeStraight_.insert({v, w});
                 return true;
             }
         }
+        return false;
     }
-    return false;
-}
+
+    bool nextStraight(double distancePx) {
+        while (!maybeStraight_.empty()) {
+            const int v = *maybeStraight_.begin();
+            if (surelyStraight(v, distancePx)) {
+                unite(v);
+                return true;
+            }
+            maybeStraight_.erase(v);
+        }
+        return false;
+    }
+
+    bool surelyStraight(int v, double distancePx) {
+        const std::vector<int>& list = around_[index(v)];
+        if (list.size() != 2) return false;
+        const RawGraph::Edge& a = edge(list[0]);
+        const RawGraph::Edge& b = edge(list[1]);
+        if (otherEnd(a, v) == otherEnd(b, v)) return false;
+        const Bend bend = bendAt(graph_, v, a, b);
+        const bool slight =
+            bend.turnDeg < tol::kStraightDeg && bend.bendPx < tol::kSurelyStraightBend * distancePx;
+        return oneLine(a, b) || slight;
+    }
+
+    /// Makes one edge of the two that meet in v.
+    void unite(int v) {
+        const int kept = around_[index(v)][0];
+        const int gone = around_[index(v)][1];
+        RawGraph::Edge& a = edge(kept);
+        RawGraph::Edge& b = edge(gone);
+        if (a.v[1] != v) reverse(a);
+        if (b.v[0] != v) reverse(b);
+        a.v[1] = b.v[1];
+        a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
+        b.alive = false;
+        around_[index(v)].clear();
+        std::vector<int>& end = around_[index(a.v[1])];
+        std::replace(end.begin(), end.end(), gone, kept);
+        std::sort(end.begin(), end.end());
+        maybeDoubled_.insert({a.v[0], a.v[1]});
+        maybeStraight_.insert({a.v[0], a.v[1]});
+    }
+
+    RawGraph& graph_;
+    std::vector<std::vector<int>> around_;        ///< living edges at every vertex, ascending
+    std::set<int> maybeDoubled_, maybeStraight_;  ///< vertices that have to be looked at
+};
 
 }  // namespace
 
-void dissolveCertain(RawGraph& graph, double distancePx) {
-    while (uniteDoubles(graph) || uniteCertain(graph, distancePx)) {
-    }
-}
+void dissolveCertain(RawGraph& graph, double distancePx) { Dissolver(graph).certain(distancePx); }
 
 std::vector<Bend> doubtfulBends(const RawGraph& graph, double distancePx) {
     const auto incidence = graph.incidence();
@@ -176,23 +234,18 @@ std::optional<Bend> leastBend(const RawGraph& graph, double distancePx) {
     return least == bends.end() ? std::nullopt : std::optional<Bend>(*least);
 }
 
-void dissolveAt(RawGraph& graph, int vertex) {
-    const auto incidence = graph.incidence();
-    unite(graph, vertex, incidence[at(vertex)][0], incidence[at(vertex)][1]);
-    while (uniteDoubles(graph)) {
-    }
-}
+void dissolveAt(RawGraph& graph, int vertex) { Dissolver(graph).at(vertex); }
 
 void straighten(RawGraph& graph, const std::vector<int>& vertices, double distancePx) {
     dissolveCertain(graph, distancePx);
     for (const int v : vertices) {
-        const auto incidence = graph.incidence();
-        const auto& around = incidence[at(v)];
+        Dissolver dissolver(graph);
+        const auto& around = dissolver.around(v);
         if (around.size() != 2) continue;
         if (otherEnd(graph.edges[at(around[0])], v) == otherEnd(graph.edges[at(around[1])], v)) {
             continue;
         }
-        dissolveAt(graph, v);
+        dissolver.at(v);
     }
     dissolveCertain(graph, distancePx);
 }

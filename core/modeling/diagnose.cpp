@@ -66,7 +66,7 @@ class Explainer {
             if (!openEnds() && !impossibleCorner() && !selfCrossing()) noMatch();
         } else if (!f_.candidates->front().withinThresholds) {
             outsideThresholds();
-        } else if (f_.ambiguous || f_.leavesInk) {
+        } else if (f_.ambiguous || f_.leavesInk || f_.accidental) {
             ambiguous();
         }
         if (!r_.problem) noMatch();
@@ -315,11 +315,15 @@ class Explainer {
             names += " or " + all[i].candidate.templateName;
             useCandidate(static_cast<int>(i), "Take the " + all[i].candidate.templateName);
         }
-        problem(Errc::Ambiguous,
-                f_.leavesInk ? "This could be a " + names +
-                                   ", but only without some of the lines; choose it, or draw on."
-                             : "This can be read as " + names + "; choose one.",
-                std::move(where));
+        std::string message = "This can be read as " + names + "; choose one.";
+        if (f_.leavesInk) {
+            message = "This could be a " + names +
+                      ", but only without some of the lines; choose it, or draw on.";
+        } else if (f_.accidental) {
+            message = "Seen from here a " + names +
+                      " looks like simpler solids; choose it, or turn the view and draw again.";
+        }
+        problem(Errc::Ambiguous, std::move(message), std::move(where));
     }
 
     void noMatch() {

@@ -16,6 +16,7 @@ struct Findings {
     std::vector<EdgeGraph> otherParts;     ///< further connected drawings
     bool ambiguous = false;                ///< two different candidates too close
     bool leavesInk = false;         ///< the best leaves more ink aside than a slip of the pen
+    bool accidental = false;        ///< nothing that is seen tells the best from simpler shapes
     bool blockedByOpenEnd = false;  ///< a match exists, but only without an open line
 };
 

@@ -9,6 +9,7 @@
 #include "core/edge_graph/canonical.h"
 #include "core/edge_graph/edit.h"
 #include "core/edge_graph/repair.h"
+#include "core/modeling/accidental.h"
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
 #include "core/modeling/ink_on_solid.h"
@@ -124,11 +125,10 @@ void sortCandidates(std::vector<RatedCandidate>& candidates) {
 
 class Pipeline {
   public:
-    Pipeline(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
-             const InterpretOptions& options)
+    Pipeline(const InkReading& ink, const TemplateLibrary& library, const InterpretOptions& options)
         : library_(library),
           options_(options),
-          ink_(readInk(strokes, options.thresholds.distancePx)),
+          ink_(ink),
           spreadPx_(std::max(tol::kSpreadPerWobble * ink_.wobblePx,
                              tol::kSpreadPerWobble / tol::kMissPerWobble *
                                  endSpread(ink_.segments, options.thresholds.distancePx))) {}
@@ -422,6 +422,10 @@ class Pipeline {
         sortCandidates(r.candidates);
     }
 
+    static bool looksAccidental(const RatedCandidate& c) {
+        return hidesItsTaper(*c.entry, *c.match.aspect, c.drawn);
+    }
+
     Interpretation conclude(Reading& best) {
         addNamedReadings(best);
         Findings findings;
@@ -450,6 +454,10 @@ class Pipeline {
             best.clear = false;
             findings.leavesInk = true;
         }
+        if (best.clear && looksAccidental(best.candidates.front())) {
+            best.clear = false;
+            findings.accidental = true;
+        }
         if (best.clear && best.otherParts.empty() && !findings.blockedByOpenEnd) {
             out.accepted = 0;
         } else {
@@ -460,7 +468,7 @@ class Pipeline {
 
     const TemplateLibrary& library_;
     const InterpretOptions& options_;
-    InkReading ink_;
+    const InkReading& ink_;
     double spreadPx_;  ///< how far this hand's line ends miss each other, per axis
     ReadingContext context_{options_};
     double worthCost_ = std::numeric_limits<double>::infinity();
@@ -509,17 +517,24 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
                             {}};
         return out;
     }
-    if (options.bodies.empty() || options.operation == Operation::Create) {
-        return Pipeline(strokes, library, options).run();
+    const InkReading ink = readInk(strokes, options.thresholds.distancePx);
+    if (isCrowded(ink, options.thresholds.distancePx)) {
+        out.problem = Error{Errc::TooManyStrokes,
+                            "There are more lines than the " + std::to_string(kMaxLines) +
+                                " that are read at once; draw one solid at a time.",
+                            {strokes.front().samples.front().position}};
+        return out;
     }
-    ModificationReading change =
-        readModification(readInk(strokes, options.thresholds.distancePx), library, options);
+    if (options.bodies.empty() || options.operation == Operation::Create) {
+        return Pipeline(ink, library, options).run();
+    }
+    ModificationReading change = readModification(ink, library, options);
     if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {
         return std::move(change.interpretation);
     }
-    Interpretation created = Pipeline(strokes, library, options).run();
+    Interpretation created = Pipeline(ink, library, options).run();
     // Lines that meet the solid were hardly meant to be a body of their own.
-    if (change.touches && created.accepted) {
+    if (change.redraws || (change.touches && created.accepted)) {
         created.accepted.reset();
         created.problem = change.interpretation.problem;
     }

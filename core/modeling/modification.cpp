@@ -9,6 +9,7 @@
 
 #include "core/base/tolerance.h"
 #include "core/edge_graph/canonical.h"
+#include "core/modeling/accidental.h"
 #include "core/modeling/cracking.h"
 #include "core/modeling/general_fit.h"
 #include "core/modeling/ink_on_solid.h"
@@ -125,6 +126,7 @@ class Modification {
         const auto joint =
             std::make_shared<const JointGraph>(extractJointGraph(ink_, view, extract));
         out_.touches = out_.touches || joint->touches;
+        out_.redraws = out_.redraws || (joint->redraws && joint->lines.empty());
         if (joint->edges.empty() || joint->inkEdges > kMostInkEdges) return false;
         const auto known = [this](const PlaneGraph& g) {
             const CanonicalForm form = canonicalForm(g);
@@ -272,12 +274,7 @@ class Modification {
         Interpretation& r = out_.interpretation;
         if (found_.empty()) {
             r.graph = buildEdgeGraph(ink_, distance_);
-            r.problem = problem_
-                            ? *problem_
-                            : Error{Errc::NoMatch,
-                                    "These lines and the edges that they meet show no template "
-                                    "on the solid.",
-                                    place()};
+            r.problem = problem_ ? *problem_ : whyNothing();
             return;
         }
         r.graph = found_.front().reading.graph;
@@ -289,14 +286,25 @@ class Modification {
         // An unsteady hand's lines fit many bodies that turn freely.
         const bool likely =
             best.plain || noise_ < kSteadyPx || best.placement.parameters <= kFewParameters;
-        if (!rival && likely && best.leftOutPx <= tol::kMostUnexplained * ink) {
+        const bool accidental =
+            hidesItsTaper(*best.match.entry, *best.match.aspect, best.placement.points);
+        if (!rival && likely && !accidental && best.leftOutPx <= tol::kMostUnexplained * ink) {
             r.accepted = 0;
             return;
         }
-        explainChoice(rival);
+        explainChoice(rival, accidental);
     }
 
-    void explainChoice(bool rival) {
+    Error whyNothing() const {
+        if (out_.redraws) {
+            return {Errc::NoChange,
+                    "These lines are edges of the solid already: nothing would change.", place()};
+        }
+        return {Errc::NoMatch,
+                "These lines and the edges that they meet show no template on the solid.", place()};
+    }
+
+    void explainChoice(bool rival, bool accidental) {
         Interpretation& r = out_.interpretation;
         std::string names = sentence(r.candidates[0]);
         if (rival) names += " or " + sentence(r.candidates[1]);
@@ -307,12 +315,15 @@ class Modification {
             use.label = "Take: " + sentence(r.candidates[i]);
             r.repairs.push_back(std::move(use));
         }
-        r.problem =
-            Error{Errc::Ambiguous,
-                  rival ? "This can be read as " + names + "; choose one."
-                        : "This could be " + names +
-                              ", but only without some of the lines; choose it, or draw on.",
-                  place()};
+        std::string message = "This could be " + names +
+                              ", but only without some of the lines; choose it, or draw on.";
+        if (rival) {
+            message = "This can be read as " + names + "; choose one.";
+        } else if (accidental) {
+            message = "Seen from here this could be " + names +
+                      ", or something simpler; choose it, or turn the view and draw again.";
+        }
+        r.problem = Error{Errc::Ambiguous, std::move(message), place()};
     }
 
     static std::string sentence(const Candidate& c) {

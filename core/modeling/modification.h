@@ -10,6 +10,7 @@ namespace ew {
 struct ModificationReading {
     Interpretation interpretation;  ///< graph, candidates that add or cut, accepted or problem
     bool touches = false;           ///< some stroke meets a solid
+    bool redraws = false;           ///< all strokes are edges of a solid already
 };
 
 /// Step 4 (paper 4.1.2 to 4.2.2): extracts the model edges that the strokes meet, matches the joint

@@ -24,12 +24,15 @@ Interval project(const InkLine& line, const Vec2& a, const Vec2& b) {
 
 /// Does `s` retrace `line`? Both lie beside each other over most of the shorter one.
 bool retraces(const InkLine& line, const InkLine& s, const ConsolidateOptions& o) {
+    constexpr double kWidestRad = 0.6;
+    static const double kWidestSine = std::sin(kWidestRad);
+    const double sine = std::abs(cross2(line.direction(), s.direction()));
+    if (sine > kWidestSine) return false;  // the most usual case, told cheaply
     const double reach = o.distancePx * o.scale;
     const double shorter = std::min(line.length(), s.length());
     const double slack = 0.35 * reach / std::max(shorter, 1e-9);
     const double limit = tol::kOvertraceDeg * o.scale * std::numbers::pi / 180.0 + std::atan(slack);
-    const double sine = std::abs(cross2(line.direction(), s.direction()));
-    if (sine > std::sin(std::min(limit, 0.6))) return false;
+    if (sine > std::sin(std::min(limit, kWidestRad))) return false;
 
     const Interval on = project(line, s.a, s.b);
     const double overlap = std::min(on.hi, line.length()) - std::max(on.lo, 0.0);
@@ -53,8 +56,17 @@ bool retraces(const InkLine& line, const InkLine& s, const ConsolidateOptions& o
            std::max(o1, o2) < tol::kOvertraceMax * scaled;
 }
 
+/// Of a line that was traced hundreds of times every other point tells as much.
+void thin(std::vector<Vec2>& points) {
+    constexpr std::size_t kMostPoints = 4096;
+    if (points.size() <= kMostPoints) return;
+    for (std::size_t i = 0; 2 * i < points.size(); ++i) points[i] = points[2 * i];
+    points.resize((points.size() + 1) / 2);
+}
+
 void absorb(InkLine& line, const InkLine& s) {
     line.points.insert(line.points.end(), s.points.begin(), s.points.end());
+    thin(line.points);
     line.inkPx += s.inkPx;
     std::vector<int> strokes;
     std::set_union(line.strokes.begin(), line.strokes.end(), s.strokes.begin(), s.strokes.end(),
@@ -112,6 +124,7 @@ std::vector<InkLine> consolidate(const std::vector<Segment>& segments,
             absorb(*into, s);
         } else {
             kept.push_back(s);
+            if (kept.size() > options.mostLines) break;
         }
     }
     return kept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/stroke/segmenting.h"
@@ -22,6 +24,8 @@ struct InkLine {
 struct ConsolidateOptions {
     double distancePx = 14.0;  ///< the distance threshold [px], > 0
     double scale = 1.0;        ///< multiplies every tolerance; < 1 keeps close lines apart
+    std::size_t mostLines =
+        std::numeric_limits<std::size_t>::max();  ///< stops where there are more
 };
 
 /// Merges overtraced lines by angle, distance and overlap; the merged line is fitted to the ink of

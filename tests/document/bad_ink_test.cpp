@@ -95,6 +95,12 @@ std::vector<BadInk> badInk() {
     }
     auto closedScribble = roundAbout(9, 1.3, [](double t) { return 150 - 9 * t; });
     closedScribble.push_back(closedScribble.front());
+    Lines crowd;  // more lines than anybody means as one drawing
+    for (int i = 0; i < 500; ++i) {
+        const double a = 0.37 * i;
+        crowd.push_back({Vec2(640 + 600 * std::cos(a), 400 + 380 * std::sin(1.7 * a)),
+                         Vec2(640 + 600 * std::cos(2.3 * a), 400 + 380 * std::sin(a + 1))});
+    }
     const std::vector<Errc> noLines{Errc::Scribble, Errc::CurvedStroke};
     const std::vector<Errc> crosses{Errc::SelfCrossing};
     return {
@@ -108,6 +114,7 @@ std::vector<BadInk> badInk() {
          {{Vec2(500, 300), Vec2(800, 600), Vec2(800, 300), Vec2(500, 600), Vec2(500, 300)}},
          crosses},
         {"pentagram", {pentagram}, crosses},
+        {"a crowd of lines", crowd, {Errc::TooManyStrokes}},
         {"as far out as ink may be",
          {{Vec2(-1e6, -1e6), Vec2(1e6, -1e6), Vec2(1e6, 1e6), Vec2(-1e6, -1e6)}},
          {Errc::NoMatch}},

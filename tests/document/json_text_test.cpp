@@ -58,6 +58,19 @@ TEST(JsonText, WritesNumbersThatReadBackToTheBit) {
     EXPECT_EQ(numberText(0.25), "0.25");
 }
 
+TEST(JsonText, CutsOffNamesThatGoOnAndOn) {
+    EXPECT_EQ(nameQuoted("a\"b"), R"("a\"b")");
+    EXPECT_EQ(nameQuoted(std::string(80, 'x')), '"' + std::string(80, 'x') + '"');
+    EXPECT_EQ(nameQuoted(std::string(81, 'x')), '"' + std::string(80, 'x') + "...\"");
+    // Never in the middle of a character.
+    EXPECT_EQ(nameQuoted(std::string(79, 'x') + "\u00e4\u00e4"),
+              '"' + std::string(79, 'x') + "...\"");
+    const auto read = parseJson(
+        "{\"" + std::string(5000, 'k') + "\": 1, \"" + std::string(5000, 'k') + "\": 2}", {});
+    ASSERT_FALSE(read);
+    EXPECT_LT(read.error().message.size(), 200U);
+}
+
 TEST(JsonText, QuotesWhateverBytesComeIn) {
     EXPECT_EQ(jsonQuoted("a\"b\\c\n"), R"("a\"b\\c\n")");
     EXPECT_TRUE(parseJson(jsonQuoted("broken \xff\xfe utf-8 \x01"), {}));

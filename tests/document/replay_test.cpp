@@ -139,13 +139,13 @@ TEST(Replay, SavesOpensAndExportsInItsFolders) {
     const auto d = fakeDocument();
     const std::string steps =
         std::string(kStroke) +
-        R"(, {"do": "apply"}, {"do": "save", "path": "a.edgewright"}, {"do": "undo"}, {"do": "clear"},
-            {"do": "open", "path": "a.edgewright"}, {"do": "export", "path": "deep/er/box.obj"},
+        R"(, {"do": "apply"}, {"do": "save", "path": "kept/a.edgewright"}, {"do": "undo"}, {"do": "clear"},
+            {"do": "open", "path": "kept/a.edgewright"}, {"do": "export", "path": "deep/er/box.obj"},
             {"do": "undo"}, {"do": "redo"})";
     const auto report = replay(*d, script(steps), {scripts.path(), out.path(), false});
     ASSERT_EQ(report.firstFailure(), nullptr) << report.firstFailure()->error->message;
     EXPECT_EQ(d->state().bodies.size(), 1U);
-    EXPECT_TRUE(QFileInfo(scripts.filePath("a.edgewright")).isFile());
+    EXPECT_TRUE(QFileInfo(scripts.filePath("kept/a.edgewright")).isFile());
     EXPECT_TRUE(QFileInfo(out.filePath("deep/er/box.obj")).isFile());
 }
 
@@ -205,6 +205,44 @@ TEST(Report, HasTheKeysOfTheContract) {
     EXPECT_GE(report["ms_total"].get<double>(), 0);
 }
 
+TEST(Report, AFailedStepHasTheSameKeysAsOneThatWorked) {
+    const auto d = fakeDocument();
+    ReplayOptions keepGoing;
+    keepGoing.keepGoing = true;
+    const std::string steps = R"({"do": "camera", "direction": [0, 0, -1]},
+        {"do": "stroke", "points": [[1e308, 0]]}, {"do": "erase", "at": [1, 2]}, {"do": "apply"},
+        {"do": "fillet", "edges": "all", "radius": 1}, {"do": "sharpen", "edges": [[1, 2, 3]]},
+        {"do": "crease", "edges": "convex", "sharpness": "auto"},
+        {"do": "subdivide", "scheme": "loop", "levels": 1}, {"do": "map_strokes"},
+        {"do": "unmap_strokes"},
+        {"do": "define_template", "id": "x", "name": "X", "from": "solid"}, {"do": "delete_solid"},
+        {"do": "undo"}, {"do": "redo", "count": 2}, {"do": "save", "path": "../x"},
+        {"do": "open", "path": "no.edgewright"}, {"do": "export", "path": "x.obj"})";
+    const auto done = replay(*d, script(steps), keepGoing);
+    const json report = json::parse(writeReport(*d, done, "failing.json"));
+    ASSERT_EQ(report["steps"].size(), 17U);
+    int index = 0;
+    for (const json& s : report["steps"]) {
+        SCOPED_TRACE(s["do"]);
+        EXPECT_EQ(s["index"], index++);
+        EXPECT_EQ(s["ok"], false);
+        EXPECT_TRUE(s["ms"].is_number());
+        EXPECT_TRUE(s.contains("edge_graph") && s.contains("match"));
+        EXPECT_TRUE(s["match"].is_null());
+        ASSERT_EQ(s["error"].size(), 3U);
+        EXPECT_FALSE(s["error"]["code"].get<std::string>().empty());
+        EXPECT_FALSE(s["error"]["message"].get<std::string>().empty());
+        EXPECT_TRUE(s["error"]["where"].is_array());
+    }
+    EXPECT_TRUE(report["solid"].is_null());
+    EXPECT_EQ(report["surface"]["triangles"], 0);
+    EXPECT_EQ(report["surface"]["closed"], true);
+    EXPECT_EQ(report["surface"]["volume"], 0.0);
+    EXPECT_EQ(report["surface"]["max_deviation"], 0.0);
+    EXPECT_EQ(report["undo"], json({{"index", 0}, {"count", 0}}));
+    EXPECT_TRUE(report["ms_total"].is_number());
+}
+
 TEST(Report, SaysNullWhereThereIsNoSolid) {
     const auto d = fakeDocument();
     const json report = json::parse(writeReport(*d, {}, "empty.json"));
@@ -226,7 +264,7 @@ TEST(Report, AddsUpSeveralBodies) {
 TEST(PathInside, KeepsToItsFolder) {
     EXPECT_EQ(*pathInside("/a/b", "c.obj"), "/a/b/c.obj");
     EXPECT_EQ(*pathInside("/a/b", "c/../d/e.obj"), "/a/b/d/e.obj");
-    for (const char* bad : {"/c.obj", "..", "../c.obj", "c/../../d.obj", ".", "c/.."}) {
+    for (const char* bad : {"/c.obj", "..", "../c.obj", "c/../../d.obj", ".", "c/..", "c/"}) {
         const auto path = pathInside("/a/b", bad);
         ASSERT_FALSE(path) << bad;
         EXPECT_EQ(path.error().code, Errc::BadValue);

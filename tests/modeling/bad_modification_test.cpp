@@ -7,6 +7,7 @@
 
 #include "core/modeling/interpretation.h"
 #include "core/solid/validity.h"
+#include "core/solid/visibility.h"
 #include "core/tlib/library.h"
 #include "tests/support/modification_cases.h"
 
@@ -49,6 +50,60 @@ TEST(BadModification, ALineAlongAnEdgeOnlyIsNoChange) {
     const auto r = readOn(theBox(), defaultBoxCamera(), {{Vec3(5, 0, 40), Vec3(75, 0, 40)}});
     EXPECT_FALSE(r.accepted);
     expectReasonOrSolid(r);
+    EXPECT_EQ(r.problem->code, Errc::NoChange);
+}
+
+TEST(BadModification, TheWholeSolidDrawnAgainIsNoChange) {
+    const Body box = theBox();
+    const OrthographicCamera camera = defaultBoxCamera();
+    Lines3 visible;
+    for (const VisiblePiece& p : SolidView::make(box.solid, box.pose, camera)->visiblePieces()) {
+        if (p.point) continue;
+        const auto& ends = box.solid.edges()[static_cast<std::size_t>(p.edge)].ends;
+        visible.push_back({box.solid.vertices()[static_cast<std::size_t>(ends[0])],
+                           box.solid.vertices()[static_cast<std::size_t>(ends[1])]});
+    }
+    ASSERT_EQ(visible.size(), 9U);
+    const auto r = readOn(box, camera, visible);
+    EXPECT_FALSE(r.accepted);
+    expectReasonOrSolid(r);
+    EXPECT_EQ(r.problem->code, Errc::NoChange);
+}
+
+TEST(BadModification, ASketchBesideTheSolidIsANewBody) {
+    const auto r = readOn(
+        theBox(), defaultBoxCamera(),
+        newVisibleLines({solidOf(boxSpec(Vec3(500, 500, 0), Vec3(501, 501, 1))), {}},
+                        solidOf(boxSpec(Vec3(150, 0, 0), Vec3(190, 30, 20))), defaultBoxCamera()));
+    ASSERT_TRUE(r.accepted) << r.problem->message;
+    const Candidate& c = r.candidates[static_cast<std::size_t>(*r.accepted)];
+    EXPECT_EQ(c.operation, Operation::Create);
+    EXPECT_EQ(c.templateId, "cube");
+    const auto solid = Solid::fromSpec(c.spec);
+    ASSERT_TRUE(solid);
+    EXPECT_NEAR(solid->volume(), 40 * 30 * 20, 0.1);
+}
+
+TEST(BadModification, ABossSeenStraightAlongItsSidesIsNotTakenForAFrustum) {
+    // Two rectangles: what tapers in a frustum would have to be seen.
+    OrthographicCamera steep = defaultBoxCamera();
+    steep.direction = Vec3(0, 1, -1).normalized();
+    steep.up = Vec3::UnitZ();
+    const Lines3 lines =
+        joined(polyline({Vec3(20, 15, 40), Vec3(50, 15, 40), Vec3(50, 15, 55), Vec3(20, 15, 55),
+                         Vec3(20, 15, 40)}),
+               polyline({Vec3(20, 15, 55), Vec3(20, 40, 55), Vec3(50, 40, 55), Vec3(50, 15, 55)}));
+    const auto on = readOn(theBox(), steep, lines);
+    EXPECT_FALSE(on.accepted);
+    expectReasonOrSolid(on);
+    InterpretOptions o;
+    o.camera = steep;
+    ModificationCase c{"", "", 0, theBox(), steep, Operation::Auto, "", lines};
+    const Interpretation free = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+    EXPECT_FALSE(free.accepted);
+    ASSERT_TRUE(free.problem);
+    EXPECT_EQ(free.problem->code, Errc::Ambiguous);
+    EXPECT_FALSE(free.candidates.empty()) << "it is one choice all the same";
 }
 
 TEST(BadModification, ANotchWithoutDepthIsNoChange) {

@@ -62,6 +62,11 @@ TEST_F(Drawing, BoxWithTheMouseIsWhatReplayMakes) { boxEndToEnd(Hand::Mouse); }
 
 TEST_F(Drawing, BoxWithThePenIsWhatReplayMakes) { boxEndToEnd(Hand::Pen); }
 
+TEST_F(Drawing, TheWindowHasTheScaleThatItIsTestedAt) {
+    const QByteArray wanted = qgetenv("QT_SCALE_FACTOR");
+    EXPECT_NEAR(surface().devicePixelRatioF(), wanted.isEmpty() ? 1.0 : wanted.toDouble(), 1e-9);
+}
+
 TEST_F(Drawing, StrokesLieWhereThePointerWas) {
     drawLine(Hand::Pen, {100, 120}, {300, 140});
     drawLine(Hand::Pen, {100.5, 200.25}, {90, 300});

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes inputs that the fuzz targets start from, a folder a target, out of the templates, examples
+// and drawings of the source tree:
+//   make_seeds FOLDER
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/document/replay.h"
+#include "core/document/store.h"
+#include "tests/fuzz/fuzz_scenes.h"
+#include "tests/fuzz/fuzz_strokes.h"
+#include "tests/support/line_drawings.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+const std::string kSource = EDGEWRIGHT_SOURCE_DIR;
+
+class Seeds {
+  public:
+    explicit Seeds(fs::path folder) : folder_(std::move(folder)) {}
+    bool put(const std::string& target, const std::string& name, const std::string& bytes) const {
+        fs::create_directories(folder_ / target);
+        std::ofstream file(folder_ / target / name, std::ios::binary);
+        file << bytes;
+        file.close();
+        if (!file) std::fprintf(stderr, "make_seeds: cannot write %s\n", name.c_str());
+        return !file.fail();
+    }
+
+  private:
+    fs::path folder_;
+};
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A script with only every `every`th sample of its strokes: the shorter, the faster it is tried.
+std::string thinned(const ew::SketchScript& script, std::size_t every) {
+    ew::SketchScript out = script;
+    for (ew::ScriptStep& step : out.steps) {
+        auto* stroke = std::get_if<ew::StrokeStep>(&step);
+        if (stroke == nullptr) continue;
+        std::vector<ew::PenSample> kept;
+        const auto& all = stroke->stroke.samples;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (i % every != 0 && i + 1 < all.size()) continue;
+            kept.push_back(all[i]);
+            kept.back().position = (kept.back().position * 16.0).array().round() / 16.0;
+        }
+        stroke->stroke.samples = std::move(kept);
+        stroke->hasPressure = false;
+    }
+    return ew::writeSketchScript(out);
+}
+
+/// The steps that examples have no use for.
+const char* const kOtherSteps = R"(
+    {"do": "erase", "at": [640, 400]}, {"do": "undo", "count": 2}, {"do": "redo", "count": 2},
+    {"do": "fillet", "edges": "all", "radius": 2, "segments": 3},
+    {"do": "sharpen", "edges": [[1, 2, 3, 0]]},
+    {"do": "crease", "edges": "convex", "sharpness": 2.5},
+    {"do": "subdivide", "scheme": "catmull-clark", "levels": 2, "crease": "auto",
+     "corners": "sharp"},
+    {"do": "subdivide", "scheme": "loop", "tolerance": 0.5},
+    {"do": "stroke", "points": [[600, 390], [680, 410]]}, {"do": "map_strokes", "color": "navy"},
+    {"do": "unmap_strokes"},
+    {"do": "define_template", "id": "mine", "name": "Mine", "from": "solid"},
+    {"do": "delete_solid"}, {"do": "undo"}, {"do": "clear"},
+    {"do": "thresholds", "distance_px": 20, "angle_deg": 9}
+  ]})";
+
+bool scriptsAndDocuments(const Seeds& seeds) {
+    bool ok = true;
+    for (const auto& entry : fs::directory_iterator(kSource + "/resources/examples")) {
+        const std::string name = entry.path().filename().string();
+        const auto script = ew::readSketchScript(contents(entry.path()));
+        if (!script) continue;
+        ok &= seeds.put("sketch_script", name, thinned(*script, 4));
+        std::string replay = thinned(*script, 12);
+        ok &= seeds.put("replay", name, replay);
+        const auto end = replay.rfind("]");
+        ok &= seeds.put("replay", "all-" + name, replay.substr(0, end) + "," + kOtherSteps);
+        ok &= seeds.put("sketch_script", "all-" + name, replay.substr(0, end) + "," + kOtherSteps);
+        ew::Document document(ew::fuzz::shippedTemplates());
+        ew::replay(document, *ew::readSketchScript(replay), {});
+        const QString path = QString::fromStdString(
+            (fs::temp_directory_path() / ("edgewright-seed-" + name)).string());
+        if (!document.save(path)) return false;
+        ok &= seeds.put("document", name, contents(path.toStdString()));
+        fs::remove(path.toStdString());
+    }
+    return ok;
+}
+
+bool drawings(const Seeds& seeds) {
+    using namespace ew::test;
+    bool ok = true;
+    const auto put = [&](const std::string& name, const std::vector<ew::Stroke>& strokes) {
+        ok &= seeds.put("interpret", name, ew::fuzz::bytesOf({}, strokes, 3));
+    };
+    for (const auto& entry : fs::directory_iterator(kSource + "/tests/data")) {
+        const std::string path = entry.path().string();
+        const std::string name = entry.path().filename().string();
+        if (const auto svg = readHiddenLineSvg(path)) put(name, svg->visible());
+        if (const auto scap = readScap(path)) put(name, scap->visible());
+        if (const auto items = readExcalidrawLibrary(path)) {
+            for (std::size_t i = 0; i < items->size(); ++i) {
+                put(name + std::to_string(i), (*items)[i].visible());
+            }
+        }
+    }
+    for (const auto& entry : fs::directory_iterator(kSource + "/resources/examples")) {
+        const auto script = ew::readSketchScript(contents(entry.path()));
+        if (!script) continue;
+        std::vector<ew::Stroke> strokes;
+        for (const ew::ScriptStep& step : script->steps) {
+            if (std::holds_alternative<ew::ApplyStep>(step)) break;
+            if (const auto* s = std::get_if<ew::StrokeStep>(&step)) strokes.push_back(s->stroke);
+        }
+        put(entry.path().filename().string(), strokes);
+    }
+    return ok;
+}
+
+bool modifications(const Seeds& seeds) {
+    using namespace ew::test;
+    bool ok = true;
+    int number = 0;
+    for (const ew::fuzz::SceneCase& c : ew::fuzz::scenes().cases) {
+        ew::fuzz::Head head;
+        head.scene = c.scene;
+        head.view = c.view;
+        const auto lines = linesOnPlane(c.drawing);
+        ok &= seeds.put("modification", std::to_string(number++),
+                        ew::fuzz::bytesOf(head, exactStrokes(lines), 8));
+    }
+    return ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("Usage: make_seeds FOLDER\n", stderr);
+        return 2;
+    }
+    const Seeds seeds{argv[1]};
+    bool ok = true;
+    for (const auto& entry : fs::directory_iterator(kSource + "/resources/templates")) {
+        if (entry.path().extension() != ".json") continue;
+        ok &= seeds.put("template", entry.path().filename().string(), contents(entry.path()));
+    }
+    ok &= scriptsAndDocuments(seeds);
+    ok &= drawings(seeds);
+    ok &= modifications(seeds);
+    return ok ? 0 : 1;
+}
