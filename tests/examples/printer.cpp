@@ -93,8 +93,8 @@ void drawOnIt(ModelMaker& m) {
     std::vector<Curve> sheet{frame(onSupport, 28, 92, 0.5, 43)};
     m.drawOn(sheet, "#6b7480");
     // The page that has come out.
-    m.lookFrom(90, 55, V(60, -10, 12), 150);
-    std::vector<Curve> page{{onTray(32, 46), onTray(32, 5), onTray(88, 5), onTray(88, 46)}};
+    m.lookFrom(90, 84, V(60, -10, 12), 150);
+    std::vector<Curve> page{{onTray(32, 31), onTray(32, 5), onTray(88, 5), onTray(88, 31)}};
     m.drawOn(page, "#6b7480");
     std::vector<Curve> text;
     for (const double up : {9.0, 13.0, 17.0, 21.0, 25.0}) write(text, onTray, 38, 82, up);
