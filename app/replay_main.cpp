@@ -35,10 +35,15 @@ ew::Result<ew::TemplateLibrary> templates(const ew::ReplayArguments& arguments) 
     return std::move(load->library);
 }
 
-ew::Result<ew::SketchScript> readScript(const QString& path) {
-    auto text = ew::readFileBytes(path, ew::kMaxScriptBytes);
+ew::Result<ew::SketchScript> readScript(const ew::ReplayArguments& arguments) {
+    auto text = ew::readFileBytes(arguments.script, ew::kMaxScriptBytes);
     if (!text) return ew::fail(text.error());
-    return ew::readSketchScript(*text);
+    auto script = ew::readSketchScript(*text);
+    if (!script || arguments.until.isEmpty()) return script;
+    const auto end = ew::findStep(*script, arguments.until.toStdString());
+    if (!end) return ew::fail(end.error());
+    script->steps.resize(*end);
+    return script;
 }
 
 /// One line for every step but the strokes, of which there are many.
@@ -98,7 +103,7 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
 }
 
 int run(const ew::ReplayArguments& arguments) {
-    const auto script = readScript(arguments.script);
+    const auto script = readScript(arguments);
     if (!script) return unusable(script.error());
     const auto library = templates(arguments);
     if (!library) return unusable(library.error());

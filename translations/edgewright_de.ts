@@ -412,6 +412,38 @@
         <translation>Eine rechteckige Pyramide, deren Spitze parallel zur Grundfläche abgeschnitten ist.</translation>
     </message>
     <message>
+        <source>A box, drawn by hand</source>
+        <translation>Ein Quader, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A clock, drawn by hand</source>
+        <translation>Eine Uhr, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A computer mouse, drawn by hand</source>
+        <translation>Eine Computermaus, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A printer, drawn by hand</source>
+        <translation>Ein Drucker, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A triangular prism, drawn by hand</source>
+        <translation>Ein Dreiecksprisma, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A triangular pyramid, drawn by hand</source>
+        <translation>Eine Dreieckspyramide, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>A wedge frustum, drawn by hand</source>
+        <translation>Ein Pyramidenstumpf, von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>An L-prism, drawn by hand</source>
+        <translation>Ein L-Prisma, von Hand gezeichnet</translation>
+    </message>
+    <message>
         <source>This can be read as %1; choose one.</source>
         <translation>Lesbar als %1; bitte auswählen.</translation>
     </message>

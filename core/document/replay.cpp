@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <charconv>
 
 #include "core/document/json_text.h"
 #include "core/document/recorder.h"
@@ -172,6 +173,33 @@ const StepReport* ReplayReport::firstFailure() const {
         if (!step.ok) return &step;
     }
     return nullptr;
+}
+
+Result<std::size_t> findStep(const SketchScript& script, const std::string& name) {
+    const auto none = [&] {
+        return fail(Errc::BadValue, "The script has no step \"" + name + "\"; it has " +
+                                        std::to_string(script.steps.size()) +
+                                        " steps. Name one by its index or as in apply:3.");
+    };
+    const auto number = [](std::string_view text) -> std::optional<std::size_t> {
+        std::size_t value = 0;
+        const char* end = text.data() + text.size();
+        const auto [last, error] = std::from_chars(text.data(), end, value);
+        if (error != std::errc() || last != end) return std::nullopt;
+        return value;
+    };
+    if (const auto index = number(name)) {
+        if (*index > script.steps.size()) return none();
+        return *index;
+    }
+    const std::size_t colon = name.find(':');
+    const auto which = colon == std::string::npos ? 1 : number(name.substr(colon + 1));
+    if (!which || *which == 0) return none();
+    std::size_t left = *which;
+    for (std::size_t i = 0; i < script.steps.size(); ++i) {
+        if (stepName(script.steps[i]) == name.substr(0, colon) && --left == 0) return i;
+    }
+    return none();
 }
 
 Result<QString> pathInside(const QString& folder, const QString& path) {

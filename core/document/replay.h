@@ -50,6 +50,11 @@ StepReport runStep(Document& document, const ScriptStep& step, int index,
 ReplayReport replay(Document& document, const SketchScript& script, const ReplayOptions& options,
                     const std::function<bool(const StepReport&)>& onStep = {});
 
+/// The index of a step that is named by its index ("12"), or by its "do" word and which of that
+/// word it is, counted from 1 ("apply:3"; "fillet" is "fillet:1"). As an index, one past the last
+/// step is taken too. Errors: BadValue where the script has no such step.
+Result<std::size_t> findStep(const SketchScript& script, const std::string& name);
+
 /// A relative path inside a folder, as an absolute one. Errc::BadValue where it leads out of it.
 Result<QString> pathInside(const QString& folder, const QString& path);
 

@@ -73,6 +73,8 @@ Result<void> ArgumentReader::option(const QString& name) {
         out_.keepGoing = true;
     else if (name == "--out")
         return text(name, out_.outFolder);
+    else if (name == "--until")
+        return text(name, out_.until);
     else if (name == "--report")
         return text(name, out_.report);
     else if (name == "--screenshot")
@@ -176,6 +178,8 @@ QString replayHelp() {
         "  --cage                 the cage over the surface in the picture\n"
         "  --hidden-edges         hidden edges as dashes in the picture\n"
         "  --dark                 the picture in the colours of the dark theme\n"
+        "  --until STEP           stop before a step: its index, or its name and which of that\n"
+        "                         name it is, as in apply:3 (fillet is the first fillet)\n"
         "  --report FILE.json     write the report\n"
         "  --keep-going           go on after a step that failed\n"
         "  --templates DIR        use the templates of this folder only\n"

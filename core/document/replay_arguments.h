@@ -33,6 +33,7 @@ struct ReplayArguments {
     QString screenshot;                ///< empty: none; relative to the current folder, or absolute
     std::optional<QSize> size;         ///< of the screenshot [px]
     PictureLook look;                  ///< of the screenshot
+    QString until;                     ///< empty: to the end; else as findStep() wants it
     QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
     bool keepGoing = false;

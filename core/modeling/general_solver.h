@@ -53,8 +53,12 @@ class Solver {
     std::optional<GeneralSolution> runAnchored(const CameraPoints& start) {
         points_.clear();
         for (const Vec3& p : start) points_.emplace_back((p - center_) / s_.sizePx);
+        // Steps as long as the drawing after several rounds lead nowhere.
+        constexpr int kPatience = 7;
         for (int i = 0; i < 25; ++i) {
-            if (polish() < 1e-11) break;
+            const double step = polish();
+            if (step < 1e-10) break;
+            if (i >= kPatience && step > 1.0) return std::nullopt;
         }
         return solution(tol::kAnchorResidual);
     }

@@ -43,7 +43,7 @@ SolverRelations keptRelations(const Template& tmpl, const TemplateAnalysis& anal
             if (!given(group.front())) r.parallel.push_back(group);
         }
     }
-    if (keep.regular) r.equalLength = equalInReference(tmpl, analysis);
+    r.equalLength = keep.regular ? equalInReference(tmpl, analysis) : all.equalLength;
     if (!keep.perpendicular) return r;
     for (const auto& pair : all.perpendicular) {
         // What the model says of two directions stands above the template.

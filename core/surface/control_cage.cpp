@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -42,7 +43,10 @@ std::uint64_t key(int a, int b) {
 class Preparation {
   public:
     Preparation(const FilletedCage& cage, const ControlOptions& options)
-        : cage_(cage), options_(options), width_(at(cage.mesh.faceCount()), 0.0) {
+        : cage_(cage),
+          options_(options),
+          width_(at(cage.mesh.faceCount()), 0.0),
+          stripless_(width_.size(), false) {
         out_.mesh.points = cage.mesh.points;
     }
 
@@ -88,7 +92,43 @@ class Preparation {
                     width = width > 0.0 ? std::min(width, strip->second) : strip->second;
                 }
             }
+            if (width > 0.0 || !bendsInwards(f)) continue;
+            width = kSharpWidth * shortestSide(f);
+            stripless_[at(f)] = true;
         }
+    }
+
+    /// A flat face between sharp edges that is not convex: without support the points inside it
+    /// would be drawn over its corners that bend inwards.
+    bool bendsInwards(int face) {
+        if (sharp_.empty()) {
+            for (const auto* list : {&cage_.sharpEdges, &cage_.sharpEnds}) {
+                for (const CageSharpEdge& e : *list) {
+                    if (sharpness(e) >= kInfiniteSharpness) sharp_.insert(undirected(e));
+                }
+            }
+        }
+        for (int l = 0; l < cage_.mesh.loopCount(face); ++l) {
+            const auto loop = cage_.mesh.loop(face, l);
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const int a = loop[k];
+                const int b = loop[(k + 1) % loop.size()];
+                if (!sharp_.contains(key(std::min(a, b), std::max(a, b)))) return false;
+            }
+        }
+        return cage_.mesh.loopCount(face) > 1 ||
+               !isConvex(cage_.mesh.points, cage_.mesh.outline(face));
+    }
+
+    double shortestSide(int face) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (int l = 0; l < cage_.mesh.loopCount(face); ++l) {
+            const auto loop = cage_.mesh.loop(face, l);
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                least = std::min(least, length(loop[k], loop[(k + 1) % loop.size()]));
+            }
+        }
+        return least;
     }
 
     /// Puts a point near each end of an edge, at this share of its length.
@@ -137,10 +177,11 @@ class Preparation {
         std::unordered_map<std::uint64_t, double> widths;
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
             if (width_[at(f)] <= 0.0) continue;
+            const double rows = stripless_[at(f)] ? kSharpRows / kEndRows : 1.0;
             for (int l = 0; l < cage_.mesh.loopCount(f); ++l) {
                 const auto loop = cage_.mesh.loop(f, l);
                 for (std::size_t k = 0; k < loop.size(); ++k) {
-                    widths[key(loop[k], loop[(k + 1) % loop.size()])] = width_[at(f)];
+                    widths[key(loop[k], loop[(k + 1) % loop.size()])] = rows * width_[at(f)];
                 }
             }
         }
@@ -174,10 +215,27 @@ class Preparation {
             const auto rings = supportLoops(loops, width_[at(face)] * options_.supportRatio);
             for (const Loops& ring : rings) {
                 addRing(face, loops, ring);
+                if (stripless_[at(face)]) holdCorners(loops, ring);
                 loops = ring;
             }
         }
         return addPieces(face, loops);
+    }
+
+    /// Divides a flat face at its corners that bend inwards: the rules for corners hold for sectors
+    /// of less than half a turn, a wider one would fold over.
+    void holdCorners(const Loops& outer, const Loops& inner) {
+        const Vec3 normal = loopAreaVector(out_.mesh.points, outer[0]);
+        for (std::size_t l = 0; l < outer.size(); ++l) {
+            const std::size_t n = outer[l].size();
+            for (std::size_t k = 0; k < n; ++k) {
+                const Vec3 p = out_.mesh.point(outer[l][k]);
+                const Vec3 in = (p - out_.mesh.point(outer[l][(k + n - 1) % n])).normalized();
+                const Vec3 next = (out_.mesh.point(outer[l][(k + 1) % n]) - p).normalized();
+                if (in.cross(next).dot(normal) >= 0.0 || in.dot(next) > kGentleBend) continue;
+                out_.creases.push_back({outer[l][k], inner[l][k], kInfiniteSharpness});
+            }
+        }
     }
 
     void addRing(int face, const Loops& outer, const Loops& inner) {
@@ -297,10 +355,14 @@ class Preparation {
         return key(std::min(e.from, e.to), std::max(e.from, e.to));
     }
 
+    double sharpness(const CageSharpEdge& e) const {
+        return options_.edgeSharpness.empty()
+                   ? kInfiniteSharpness
+                   : std::min(options_.edgeSharpness[at(e.edge)], kInfiniteSharpness);
+    }
+
     void addCrease(const CageSharpEdge& e) {
-        const double s = options_.edgeSharpness.empty()
-                             ? kInfiniteSharpness
-                             : std::min(options_.edgeSharpness[at(e.edge)], kInfiniteSharpness);
+        const double s = sharpness(e);
         if (s <= 0.0) return;
         int from = e.from;
         for (const int middle : inside(e.from, e.to)) {
@@ -324,14 +386,21 @@ class Preparation {
         }
     }
 
-    static constexpr double kEndRows = 4.0;     ///< rows' distance from the ends, in widths
-    static constexpr double kMostOfEdge = 0.3;  ///< ... and in lengths of the edge
+    static constexpr double kEndRows = 4.0;      ///< rows' distance from the ends, in widths
+    static constexpr double kMostOfEdge = 0.3;   ///< ... and in lengths of the edge
+    static constexpr double kSharpRows = 1.0;    ///< rows' distance in faces without strips, near
+                                                 ///< enough to hold corners that bend inwards
+    static constexpr double kGentleBend = 0.9;   ///< cosine: on a curve, not at a corner
+    static constexpr double kSharpWidth = 0.25;  ///< taken for a setback, in lengths of the
+                                                 ///< shortest side of a face without strips
     static constexpr int kAttempts = 8;
 
     const FilletedCage& cage_;
     const ControlOptions& options_;
     ControlCage out_;
-    std::vector<double> width_;  ///< by face [mm], 0 where it needs no support
+    std::vector<double> width_;                ///< by face [mm], 0 where it needs no support
+    std::vector<bool> stripless_;              ///< by face: supported although it has no strips
+    std::unordered_set<std::uint64_t> sharp_;  ///< edges of the mesh that are so for ever
     std::unordered_map<std::uint64_t, std::array<int, 2>> splits_;
 };
 

@@ -7,9 +7,10 @@ namespace ew {
 namespace {
 
 TEST(ReplayArguments, ReadsAll) {
-    const auto a = parseReplayArguments({"s.json", "--out", "o", "--export", "a.obj", "b.stl",
-                                         "--screenshot", "p.png", "--size", "800x600", "--report",
-                                         "r.json", "--keep-going", "--templates", "t"});
+    const auto a =
+        parseReplayArguments({"s.json", "--out", "o", "--export", "a.obj", "b.stl", "--screenshot",
+                              "p.png", "--size", "800x600", "--report", "r.json", "--until",
+                              "apply:2", "--keep-going", "--templates", "t"});
     ASSERT_TRUE(a) << a.error().message;
     EXPECT_EQ(a->script, "s.json");
     EXPECT_EQ(a->outFolder, "o");
@@ -17,6 +18,7 @@ TEST(ReplayArguments, ReadsAll) {
     EXPECT_EQ(a->screenshot, "p.png");
     EXPECT_EQ(a->size, QSize(800, 600));
     EXPECT_EQ(a->report, "r.json");
+    EXPECT_EQ(a->until, "apply:2");
     EXPECT_EQ(a->templates, "t");
     EXPECT_TRUE(a->keepGoing);
 }

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+#include "core/document/resources.h"
 #include "core/document/sketch_script.h"
 #include "core/document/store.h"
 
@@ -171,6 +172,37 @@ TEST_F(ReplayProgram, MakesADrawnBoxSavesItAndOpensIt) {
     ASSERT_EQ(r.status, 0) << r.err;
     report = nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
     EXPECT_EQ(report["solid"]["vertex_positions"], positions);
+}
+
+TEST_F(ReplayProgram, ReplaysAnExampleToItsSurface) {
+    const QString mouse = *resourcesFolder() + "/examples/mouse.json";
+    const Outcome r = run({mouse, "--report", "r.json", "--export", "mouse.glb"});
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_TRUE(exists("mouse.glb"));
+    const auto report =
+        nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 26U));
+    EXPECT_EQ(report["surface"]["kind"], "surface");
+    EXPECT_EQ(report["surface"]["closed"], true);
+    // Up to the fillet there is the polyhedron.
+    EXPECT_EQ(run({mouse, "--report", "r.json", "--until", "fillet"}).status, 0);
+    const auto before =
+        nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 26U));
+    EXPECT_EQ(before["surface"]["kind"], "none");
+    EXPECT_EQ(before["solid"]["faces"], report["solid"]["faces"]);
+}
+
+TEST_F(ReplayProgram, StopsBeforeTheStepThatWasNamed) {
+    script("s.json", R"({"do": "clear"}, {"do": "undo"}, {"do": "clear"})");
+    EXPECT_EQ(run({"s.json"}).status, 1);
+    const Outcome r = run({"s.json", "--until", "undo", "--report", "r.json"});
+    EXPECT_EQ(r.status, 0) << r.err;
+    const auto report =
+        nlohmann::json::parse(*readFileBytes(folder_.filePath("r.json"), 1U << 20U));
+    EXPECT_EQ(report["steps"].size(), 1U);
+    EXPECT_EQ(run({"s.json", "--until", "2"}).status, 1);
+    const Outcome none = run({"s.json", "--until", "apply"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("bad-value"), std::string::npos) << none.err;
 }
 
 TEST_F(ReplayProgram, SaysWhatAScreenshotNeeds) {

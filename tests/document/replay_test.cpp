@@ -43,6 +43,25 @@ TEST(Replay, BeginsWithTheHeadOfTheScript) {
     EXPECT_EQ(d->pendingStrokes().size(), 1U);
 }
 
+TEST(Replay, FindsStepsByIndexAndByName) {
+    const SketchScript s = script(std::string(kStroke) + R"(, {"do": "apply"}, )" + kStroke +
+                                  R"(, {"do": "apply"}, {"do": "clear"})");
+    const std::vector<std::pair<std::string, std::size_t>> known{
+        {"0", 0},       {"4", 4},       {"5", 5},        {"apply", 1},
+        {"apply:1", 1}, {"apply:2", 3}, {"stroke:2", 2}, {"clear", 4}};
+    for (const auto& [name, index] : known) {
+        const auto found = findStep(s, name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_EQ(*found, index) << name;
+    }
+    for (const char* bad : {"", "6", "-1", "1.5", "apply:3", "apply:0", "apply:", "apply:x",
+                            "fillet", ":1", "99999999999999999999"}) {
+        const auto found = findStep(s, bad);
+        ASSERT_FALSE(found) << bad;
+        EXPECT_EQ(found.error().code, Errc::BadValue) << bad;
+    }
+}
+
 TEST(Replay, NormalisesDirectionsAndMergesCameras) {
     const auto d = fakeDocument();
     const auto report = replay(

@@ -95,6 +95,12 @@ TEST(Modification, OnThePrismsSlopeAndEnd) {
     expectAllRight(cases);
 }
 
+TEST(Modification, SidesThatLeanAlikeTellAFrustumsHeight) {
+    const auto cases = legibleCases(frustumModifications);
+    EXPECT_GE(cases.size(), 4u);
+    expectAllRight(cases);
+}
+
 TEST(Modification, AgainstWallsBetweenBossesAndIntoHollows) {
     const auto cases = legibleCases(jointModifications);
     EXPECT_GE(cases.size(), 18u);

@@ -46,6 +46,9 @@ std::vector<ModificationCase> workedBoxModifications(int view = 0);
 /// Cases on a lying triangular prism with a slope of 3 : 4.
 std::vector<ModificationCase> prismModifications(int view = 0);
 
+/// Bodies on the box whose sides lean, each as much as the one across from it.
+std::vector<ModificationCase> frustumModifications(int view = 0);
+
 /// Against a wall, between two bosses, and where new faces meet earlier hollows or bosses.
 std::vector<ModificationCase> jointModifications(int view = 0);
 

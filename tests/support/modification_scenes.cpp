@@ -118,6 +118,18 @@ std::vector<ModificationCase> prismModifications(int view) {
     return cases.take();
 }
 
+std::vector<ModificationCase> frustumModifications(int view) {
+    CaseList cases("box", solidOf(boxSpec(V(0, 0, 0), V(80, 60, 40))), V(40, 30, 20), view);
+    const auto frustum = [&](const std::string& name, const PolyhedronSpec& what) {
+        cases.add(name, add, "wedge-frustum", what);
+    };
+    frustum("frustum inside a face", frustumSpec(V(20, 12, 40), V(60, 48, 70), 9, 10));
+    frustum("low frustum inside a face", frustumSpec(V(12, 10, 40), V(68, 50, 56), 12, 10));
+    frustum("frustum over the whole face", frustumSpec(V(0, 0, 40), V(80, 60, 70), 18, 15));
+    frustum("frustum flush with the front", frustumSpec(V(20, 0, 40), V(60, 60, 68), 10, 14));
+    return cases.take();
+}
+
 std::vector<ModificationCase> jointModifications(int view) {
     std::vector<ModificationCase> all;
     addWallCases(all, view);

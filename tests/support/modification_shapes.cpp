@@ -89,6 +89,16 @@ PolyhedronSpec pyramidSpec(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     return s;
 }
 
+PolyhedronSpec frustumSpec(const Vec3& low, const Vec3& high, double drawnInX, double drawnInY) {
+    PolyhedronSpec s = boxSpec(low, high);
+    for (std::size_t i = 4; i < 8; ++i) {
+        Vec3& v = s.vertices[i];
+        v.x() += v.x() == low.x() ? drawnInX : -drawnInX;
+        v.y() += v.y() == low.y() ? drawnInY : -drawnInY;
+    }
+    return s;
+}
+
 Lines3 polyline(const std::vector<Vec3>& p) {
     Lines3 lines;
     for (std::size_t i = 0; i + 1 < p.size(); ++i) lines.push_back({p[i], p[i + 1]});

@@ -22,6 +22,9 @@ PolyhedronSpec prismSpec(const std::vector<Vec3>& outline, const Vec3& along);
 
 PolyhedronSpec pyramidSpec(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex);
 
+/// A box whose top is drawn in by so much on both sides along x and along y.
+PolyhedronSpec frustumSpec(const Vec3& low, const Vec3& high, double drawnInX, double drawnInY);
+
 /// The lines from point to point.
 Lines3 polyline(const std::vector<Vec3>& points);
 Lines3 joined(Lines3 a, const Lines3& b);

@@ -62,6 +62,32 @@ TEST(ControlCage, SharpEdgesStayAndHaveANormalOnEachSide) {
     EXPECT_NEAR(enclosedVolume(adaptive.positions, adaptive.triangles), 8.0, 1e-12);
 }
 
+TEST(ControlCage, FlatFacesBetweenSharpEdgesAreCoveredOnce) {
+    // Around a pocket and beside a boss.
+    std::vector<bool> filled(48, true);
+    filled[16 + 5] = false;
+    std::fill(filled.begin() + 32, filled.end() - 1, false);
+    const Solid box =
+        solidOf(cellsSpec({{{0, 2, 7, 8, 12}, {0, 2, 4, 5, 9}, {0, 3, 4, 6}}}, filled));
+    for (const auto scheme : {SubdivisionScheme::CatmullClark, SubdivisionScheme::Loop}) {
+        SubdivisionOptions options;
+        options.scheme = scheme;
+        options.levels = 3;
+        ControlOptions control;
+        control.scheme = scheme;
+        const SurfaceMesh surface = surfaceOf(controlOf(sharpCage(box), control), options);
+        double area = 0.0;
+        for (const auto& t : surface.triangles) {
+            const Vec3& a = surface.positions[static_cast<std::size_t>(t[0])];
+            const Vec3& b = surface.positions[static_cast<std::size_t>(t[1])];
+            const Vec3& c = surface.positions[static_cast<std::size_t>(t[2])];
+            area += 0.5 * (b - a).cross(c - a).norm();
+        }
+        // What is folded over is there three times.
+        EXPECT_NEAR(area, box.area(), 1e-9);
+    }
+}
+
 TEST(ControlCage, AStripEndsSharplyInASharpFace) {
     const Solid box = solidOf(boxSpec({0, 0, 0}, {2, 2, 2}));
     FilletOptions one{{{0, 0.5}}, 4};

@@ -48,6 +48,32 @@ TEST_F(German, MenusPanelsAndPluralsAreGerman) {
     EXPECT_EQ(document().undoStack().text(0), "Quader erzeugen");
 }
 
+TEST_F(German, ExamplesOpenFromTheMenuByTheirGermanTitles) {
+    QMenu* const file = window_->menuBar()->actions().front()->menu();
+    QMenu* examples = nullptr;
+    for (QAction* a : file->actions()) {
+        if (a->menu() != nullptr) examples = a->menu();
+    }
+    ASSERT_NE(examples, nullptr);
+    emit examples->aboutToShow();
+    QAction* mouse = nullptr;
+    QStringList titles;
+    for (QAction* a : examples->actions()) {
+        titles << a->text();
+        EXPECT_TRUE(a->text().contains("von Hand gezeichnet")) << a->text().toStdString();
+        if (a->text().contains("Computermaus")) mouse = a;
+    }
+    for (const char* title : {"Ein Drucker, von Hand gezeichnet", "Eine Uhr, von Hand gezeichnet",
+                              "Eine Computermaus, von Hand gezeichnet"}) {
+        EXPECT_TRUE(titles.contains(title)) << title;
+    }
+    ASSERT_NE(mouse, nullptr);
+    mouse->trigger();
+    EXPECT_EQ(document().state().bodies.size(), 1U);
+    EXPECT_TRUE(document().shape()->hasSurface());
+    EXPECT_FALSE(document().shape()->curves.empty());
+}
+
 /// Every sentence of a reading that people see.
 std::vector<std::string> sentences(const Interpretation& r) {
     std::vector<std::string> all;

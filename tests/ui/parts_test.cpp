@@ -242,6 +242,18 @@ TEST(Ink, DroppedAreDotsAndStraysButNotWhatIsRead) {
     EXPECT_EQ(droppedStrokes(r, 4), (std::vector<bool>{true, true, false, false}));
 }
 
+TEST(Colours, LinesOnBodiesAreSeenInBothThemes) {
+    for (const char* name : {"#000000", "#202228", "#2f5f9e", "#9a2b1f", "#8a6a1f"}) {
+        const QColor ink(name);
+        EXPECT_EQ(onBody(ink, lightColours()), ink) << name;
+        const QColor shown = onBody(ink, darkColours());
+        EXPECT_GE(contrastRatio(shown, darkColours().body), 3.0) << name;
+        // No lighter than it must be.
+        EXPECT_LT(contrastRatio(shown, darkColours().body), 3.6) << name;
+    }
+    EXPECT_EQ(onBody(Qt::yellow, darkColours()), QColor(Qt::yellow));
+}
+
 TEST(Colours, TextMeetsWcagAa) {
     for (const ThemeColours* c : {&lightColours(), &darkColours()}) {
         for (const QColor& back : {c->window, c->surface, c->raised}) {

@@ -121,7 +121,7 @@ void FileActions::fillExamples(QMenu* menu) {
         QString title = file.completeBaseName();
         if (const auto bytes = readAll(file.filePath())) {
             const auto script = readSketchScript(bytes->toStdString());
-            if (script && !script->title.empty()) title = QString::fromStdString(script->title);
+            if (script && !script->title.empty()) title = coreText(script->title);
         }
         menu->addAction(title, this, [this, path = file.filePath()] {
             if (mayDiscard()) openPath(path);

@@ -96,6 +96,17 @@ double contrastRatio(const QColor& a, const QColor& b) {
     return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
+QColor onBody(const QColor& colour, const ThemeColours& colours) {
+    constexpr double kSeen = 3.0;
+    constexpr int kSteps = 20;
+    if (!colours.dark) return colour;
+    for (int i = 0; i < kSteps; ++i) {
+        const QColor lighter = mixColours(colour, Qt::white, static_cast<double>(i) / kSteps);
+        if (contrastRatio(lighter, colours.body) >= kSeen) return lighter;
+    }
+    return Qt::white;
+}
+
 QColor mixColours(const QColor& a, const QColor& b, double t) {
     const auto mix = [t](float x, float y) {
         return static_cast<float>((1.0 - t) * static_cast<double>(x) + t * static_cast<double>(y));

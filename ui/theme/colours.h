@@ -27,8 +27,8 @@ struct ThemeColours {
     QColor grid;
     QColor axis;  ///< the two grid lines through the origin
     QColor ink;
-    QColor dropped;  ///< ink that the reading does not use
-    QColor read;     ///< recognised edges and junctions
+    QColor dropped;    ///< ink that the reading does not use
+    QColor read;       ///< recognised edges and junctions
     QColor extracted;  ///< edges of the model that the reading takes in
     QColor ghost;      ///< preview of the candidate
     QColor added;      ///< preview of what is added to a solid
@@ -47,6 +47,10 @@ double contrastRatio(const QColor& a, const QColor& b);
 
 /// a and b mixed; t = 0 gives a, 1 gives b.
 QColor mixColours(const QColor& a, const QColor& b, double t);
+
+/// A colour for lines on bodies as the theme shows it: on the dark theme's dark bodies, lightened
+/// as far as needed to be seen; a colour that is seen well stays as it is.
+QColor onBody(const QColor& colour, const ThemeColours& colours);
 
 /// Distances of the layout [logical px].
 namespace metrics {

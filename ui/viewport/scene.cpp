@@ -69,6 +69,7 @@ struct Scene::Private {
 
     std::vector<Body> bodies;
     std::shared_ptr<const DerivedShape> shape;
+    std::vector<MappedStroke> mapped;
     std::vector<EdgeRef> chosenEdges;
     LinePieces crisp;  // of the shape, for the dashes
     OrthographicCamera camera;
@@ -136,6 +137,12 @@ struct Scene::Private {
         }
         const Vec3 lift = nearer * (kRibbonLiftPx / kEdgeLiftPx);
         ribbons->SetPosition(lift.x(), lift.y(), lift.z());
+    }
+
+    void updateRibbons() {
+        if (!shape) return;
+        ribbons->SetVisibility(!shape->curves.empty());
+        ribbonsMapper->SetInputData(ribbonGeometry(*shape, mapped, origin, *colours));
     }
 
     void updateCage() {
@@ -259,12 +266,12 @@ void Scene::setShape(const std::vector<Body>& bodies, std::shared_ptr<const Deri
     d.surfacesMapper->SetInputData(smoothGeometry(bodies, *d.shape, d.origin));
     d.edgesMapper->SetInputData(linesGeometry(d.crisp, d.origin));
     d.softMapper->SetInputData(linesGeometry(lines.soft, d.origin));
-    d.ribbonsMapper->SetInputData(ribbonGeometry(*d.shape, mapped, d.origin));
+    d.mapped = mapped;
+    d.updateRibbons();
     d.faces->SetVisibility(!bodies.empty());
     d.surfaces->SetVisibility(d.shape->hasSurface());
     d.edges->SetVisibility(!d.crisp.empty());
     d.soft->SetVisibility(!lines.soft.empty());
-    d.ribbons->SetVisibility(!d.shape->curves.empty());
     d.updateCage();
     d.updateChosen();
     d.dashMm = 0.0;
@@ -288,7 +295,9 @@ void Scene::setCamera(const OrthographicCamera& camera) {
 
 void Scene::setColours(const ThemeColours& colours) {
     Private& d = *d_;
+    const bool other = d.colours != &colours;
     d.colours = &colours;
+    if (other) d.updateRibbons();
     d.updateBackground();
     setColour(d.faces, colours.body);
     setColour(d.surfaces, colours.body);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace ew {
 
@@ -73,15 +74,21 @@ bool isRound(const FilletedCage& cage) {
 
 void addCageLines(const Body& body, const FilletedCage& cage, ShapeLines& out) {
     const bool round = isRound(cage);
+    // A sharp edge goes on along the end of a strip: round the rim of a bezel, say.
+    std::unordered_set<std::uint64_t> sharpEnds;
+    for (const CageSharpEdge& e : cage.sharpEnds) {
+        sharpEnds.insert(key(std::min(e.from, e.to), std::max(e.from, e.to)));
+    }
     eachEdge(cage.mesh, [&](int a, int b, int left, int right) {
         const CageOrigin& l = cage.origins[at(left)];
         const CageOrigin& r = cage.origins[at(right)];
         if (l == r) return;
-        const bool sharp = l.kind == CageOrigin::Kind::Face && r.kind == CageOrigin::Kind::Face;
+        const bool sharp = (l.kind == CageOrigin::Kind::Face && r.kind == CageOrigin::Kind::Face) ||
+                           sharpEnds.contains(key(std::min(a, b), std::max(a, b)));
         // Two patches that meet are both round.
         const bool flat =
             l.kind == CageOrigin::Kind::Face || r.kind == CageOrigin::Kind::Face || !round;
-        if (!flat) return;
+        if (!flat && !sharp) return;
         (sharp || !round ? out.crisp : out.soft)
             .push_back(
                 {worldPoint(body, cage.mesh.points, a), worldPoint(body, cage.mesh.points, b)});
@@ -272,10 +279,13 @@ namespace {
 
 class Ribbons {
   public:
-    explicit Ribbons(const Vec3& origin) : origin_(origin) { colours_->SetNumberOfComponents(3); }
+    Ribbons(const Vec3& origin, const ThemeColours& theme) : origin_(origin), theme_(theme) {
+        colours_->SetNumberOfComponents(3);
+    }
 
     void add(const MappedCurve& curve, const MappedStroke& stroke) {
-        colour_ = stroke.color;
+        const auto& [red, green, blue] = stroke.color;
+        colour_ = onBody(QColor(red, green, blue), theme_);
         const double width = stroke.widthMm();
         const auto half = [&](const MappedPoint& p) {
             return 0.5 * width * (kLeastWidth + (1.0 - kLeastWidth) * p.pressure);
@@ -336,7 +346,7 @@ class Ribbons {
     };
 
     vtkIdType point(const Vec3& world) {
-        colours_->InsertNextTuple3(colour_[0], colour_[1], colour_[2]);
+        colours_->InsertNextTuple3(colour_.red(), colour_.green(), colour_.blue());
         const Vec3 p = world - origin_;
         return points_->InsertNextPoint(p.x(), p.y(), p.z());
     }
@@ -353,7 +363,8 @@ class Ribbons {
     }
 
     Vec3 origin_;
-    StrokeColor colour_{};
+    const ThemeColours& theme_;
+    QColor colour_;
     vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
     vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
     vtkSmartPointer<vtkUnsignedCharArray> colours_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -363,8 +374,8 @@ class Ribbons {
 
 vtkSmartPointer<vtkPolyData> ribbonGeometry(const DerivedShape& shape,
                                             const std::vector<MappedStroke>& mapped,
-                                            const Vec3& origin) {
-    Ribbons ribbons(origin);
+                                            const Vec3& origin, const ThemeColours& colours) {
+    Ribbons ribbons(origin, colours);
     for (const MappedCurve& curve : shape.curves) {
         if (at(curve.stroke) < mapped.size()) ribbons.add(curve, mapped[at(curve.stroke)]);
     }

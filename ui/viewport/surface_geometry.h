@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/derived_shape.h"
+#include "ui/theme/colours.h"
 
 namespace ew {
 
@@ -41,9 +42,9 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
                                             const DerivedShape& shape, const Vec3& origin);
 
 /// Strokes on the surface as flat ribbons that lie on it, as wide as the pen pressed, with their
-/// colour at every point.
+/// colour at every point, as onBody() shows it.
 vtkSmartPointer<vtkPolyData> ribbonGeometry(const DerivedShape& shape,
                                             const std::vector<MappedStroke>& mapped,
-                                            const Vec3& origin);
+                                            const Vec3& origin, const ThemeColours& colours);
 
 }  // namespace ew
