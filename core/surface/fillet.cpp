@@ -113,8 +113,9 @@ class Maker {
         for (const int f : broken) {
             if (!untangle(cage, f)) giveWay(cage.origins[at(f)], cage.origins[at(f)]);
         }
-        const auto pairs =
+        auto pairs =
             selfIntersections(cage.mesh.points, triangles->triangles, triangles->face, kFaults);
+        std::erase_if(pairs, [&](const auto& pair) { return isOwn(cage, *triangles, pair); });
         for (const auto& [a, b] : pairs) {
             giveWay(cage.origins[at(triangles->face[at(a)])],
                     cage.origins[at(triangles->face[at(b)])]);
@@ -123,6 +124,18 @@ class Maker {
         // Faults that nothing was found for end here too: sharp edges are always sound.
         if (styled_.empty() && shrunk_.empty()) wanted_.assign(wanted_.size(), 0.0);
         return true;
+    }
+
+    /// Two faces that come as near to each other as rounding goes where no fillet is to blame: the
+    /// solid itself has them so.
+    static bool isOwn(const FilletedCage& cage, const PolyTriangles& triangles,
+                      const std::pair<int, int>& pair) {
+        const auto isFace = [&](int t) {
+            return cage.origins[at(triangles.face[at(t)])].kind == Kind::Face;
+        };
+        return isFace(pair.first) && isFace(pair.second) &&
+               !meetExactly(cage.mesh.points, triangles.triangles[at(pair.first)],
+                            triangles.triangles[at(pair.second)]);
     }
 
     static std::uint64_t sideKey(int a, int b) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/surface/self_intersection.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +16,21 @@ namespace {
 using Triangle = std::array<Vec3, 3>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Puts shared corners first, in the same order, and counts them.
+std::size_t sharedFirst(std::array<int, 3>& s, std::array<int, 3>& t) {
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = shared; k < 3; ++k) {
+            if (s[i] != t[k]) continue;
+            std::swap(s[shared], s[i]);
+            std::swap(t[shared], t[k]);
+            ++shared;
+            break;
+        }
+    }
+    return shared;
+}
 
 class Finder {
   public:
@@ -42,18 +60,7 @@ class Finder {
     bool meet(int a, int b) const {
         std::array<int, 3> s = triangles_[at(a)];
         std::array<int, 3> t = triangles_[at(b)];
-        // Shared corners first, in the same order.
-        std::size_t shared = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t k = shared; k < 3; ++k) {
-                if (s[i] != t[k]) continue;
-                std::swap(s[shared], s[i]);
-                std::swap(t[shared], t[k]);
-                ++shared;
-                break;
-            }
-        }
-        switch (shared) {
+        switch (sharedFirst(s, t)) {
             case 0:
                 return !separated(corners(s), corners(t), normals_[at(a)], normals_[at(b)]);
             case 1:
@@ -101,7 +108,8 @@ class Finder {
     }
 
     /// Two triangles at one corner are apart elsewhere where a plane through the corner has one
-    /// wholly on its one side and the other on the other, and only one of them has an edge in it.
+    /// wholly on its one side and the other on the other, and what they have in the plane are not
+    /// edges in one direction.
     bool conesMeet(const std::array<int, 3>& s, const std::array<int, 3>& t, const Vec3& ns,
                    const Vec3& nt) const {
         const Vec3& p = point(s[0]);
@@ -124,7 +132,16 @@ class Finder {
             if (strictly(b0, b1)) {
                 return middleB > 0.0 ? std::max(a0, a1) <= slack : std::min(a0, a1) >= -slack;
             }
-            return false;
+            // One edge of each lies in the plane: those of faces that cross in the corner go on in
+            // each other's line.
+            const std::size_t inA = std::abs(a0) <= slack ? 0 : 1;
+            const std::size_t inB = std::abs(b0) <= slack ? 0 : 1;
+            const double sideA = inA == 0 ? a1 : a0;
+            const double sideB = inB == 0 ? b1 : b0;
+            const bool inPlane =
+                std::abs(inA == 0 ? a0 : a1) <= slack && std::abs(inB == 0 ? b0 : b1) <= slack;
+            const bool opposite = std::min(sideA, sideB) < -slack && std::max(sideA, sideB) > slack;
+            return inPlane && opposite && a[inA].dot(b[inB]) < 0.0;
         };
         if (splitsCones(ns) || splitsCones(nt)) return false;
         for (const Vec3& x : a) {
@@ -181,6 +198,29 @@ std::vector<std::pair<int, int>> selfIntersections(const std::vector<Vec3>& poin
         if (finder.meet(a, b)) out.emplace_back(a, b);
     });
     return out;
+}
+
+bool meetExactly(const std::vector<Vec3>& points, const std::array<int, 3>& s,
+                 const std::array<int, 3>& t) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    std::array<int, 3> a = s;
+    std::array<int, 3> b = t;
+    const std::size_t shared = sharedFirst(a, b);
+    const auto point = [&](int i) {
+        const Vec3& p = points[at(i)];
+        return Kernel::Point_3(p.x(), p.y(), p.z());
+    };
+    const std::array<Kernel::Point_3, 3> p{point(a[0]), point(a[1]), point(a[2])};
+    const std::array<Kernel::Point_3, 3> q{point(b[0]), point(b[1]), point(b[2])};
+    const Kernel::Triangle_3 one(p[0], p[1], p[2]);
+    const Kernel::Triangle_3 other(q[0], q[1], q[2]);
+    if (shared == 0) return CGAL::do_intersect(one, other);
+    if (shared == 1) {
+        return CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), other) ||
+               CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), one);
+    }
+    return shared == 3 || (CGAL::coplanar(p[0], p[1], p[2], q[2]) &&
+                           CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::POSITIVE);
 }
 
 }  // namespace ew

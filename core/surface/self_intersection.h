@@ -19,4 +19,8 @@ std::vector<std::pair<int, int>> selfIntersections(const std::vector<Vec3>& poin
                                                    const std::vector<int>& group,
                                                    std::size_t limit);
 
+/// The same question for two triangles, answered exactly for the coordinates as they are.
+bool meetExactly(const std::vector<Vec3>& points, const std::array<int, 3>& s,
+                 const std::array<int, 3>& t);
+
 }  // namespace ew
