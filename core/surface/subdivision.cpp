@@ -217,11 +217,15 @@ class Tessellator {
 
     void evaluate(std::size_t i, Vec3& position, Vec3& normal) {
         if (!evaluator_.evaluate(i, position, normal)) lost_ = true;
+        // Beside slivers of a planar face the parameters of its surface may run backwards. The
+        // surface is in the plane all the same, and so has its normal.
+        if (normal.dot(faceNormal_) < -kBackwards) normal = -normal;
     }
 
     void addFace(int f) {
         const SurfacePattern& p = *cuts_[at(f)].pattern;
         evaluator_.begin(f, p.coords, *cuts_[at(f)].weights);
+        faceNormal_ = loopAreaVector(cage_.mesh.points, cage_.mesh.outline(f)).normalized();
         slots_.assign(p.coords.size(), {-1, -1});
         std::size_t i = 0;
         const auto sides = edges_.of(f);
@@ -329,6 +333,8 @@ class Tessellator {
         }
     }
 
+    static constexpr double kBackwards = 0.999;  ///< cosine; no curved face turns so far
+
     const ControlCage& cage_;
     const SubdivisionOptions& options_;
     CageEdges edges_;
@@ -338,7 +344,8 @@ class Tessellator {
     std::map<std::vector<int>, SurfacePattern> patterns_;
     std::map<std::pair<int, const SurfacePattern*>, PointWeights> weights_;  ///< first: class
     std::vector<Cut> cuts_;                                                  ///< by face
-    bool lost_ = false;  ///< a face had no surface
+    Vec3 faceNormal_ = Vec3::Zero();  ///< unit, of the control polygon
+    bool lost_ = false;               ///< a face had no surface
     std::vector<int> key_;
     std::vector<bool> hard_;
     std::vector<int> vertexPositions_;
