@@ -2,15 +2,42 @@
 #include "ui/surface_controller.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
 
+namespace {
+
+constexpr double kStepMs = 1000.0 / 30.0;
+constexpr double kFasterShare = 0.2;  // a level more makes four times the triangles
+constexpr int kMostCoarser = 3;
+constexpr int kRestMs = 150;
+
+SubdivisionSettings coarsened(SubdivisionSettings settings, int by) {
+    settings.levels = std::max(1, settings.levels - by);
+    settings.tolerance *= std::pow(4.0, by);
+    return settings;
+}
+
+}  // namespace
+
 SurfaceController::SurfaceController(Document& document, ViewportWidget& viewport, QObject* parent)
-    : QObject(parent), document_(document), viewport_(viewport), selection_(document) {
+    : QObject(parent),
+      document_(document),
+      viewport_(viewport),
+      selection_(document),
+      stepBudgetMs_(kStepMs) {
     lastSubdivision_.on = true;
     pool_.setMaxThreadCount(1);
+    rest_.setSingleShot(true);
+    rest_.setInterval(kRestMs);
+    connect(&rest_, &QTimer::timeout, this, [this] {
+        if (drag_) derive(*std::exchange(drag_, std::nullopt), {});
+    });
+    connect(&viewport_, &QOpenGLWidget::frameSwapped, this, &SurfaceController::onFrameShown);
     connect(&document_, &Document::changed, this, &SurfaceController::onDocumentChanged);
 }
 
@@ -20,6 +47,8 @@ void SurfaceController::onDocumentChanged(DocumentChange what) {
     if (what != DocumentChange::Shape) return;
     // A preview that is under way is of a document that is gone.
     wanted_.reset();
+    drag_.reset();
+    unseen_.reset();
     if (running_) stale_ = true;
     const SubdivisionSettings& now = document_.state().surface.subdivision;
     if (now.on) lastSubdivision_ = now;
@@ -32,11 +61,13 @@ void SurfaceController::onDocumentChanged(DocumentChange what) {
 // The worker
 // ----------------------------------------------------------------------------------------
 
-void SurfaceController::derive(SurfaceSettings settings, Commit commit) {
+void SurfaceController::derive(SurfaceSettings settings, Commit commit,
+                               std::optional<int> coarser) {
     ShapeInput input = document_.shapeInput();
     settings.tidy();
     input.settings = std::move(settings);
-    wanted_ = std::move(input);
+    wanted_ = Wish{std::move(input), coarser};
+    rest_.stop();
     commit_ = commit ? std::make_unique<Commit>(std::move(commit)) : nullptr;
     if (running_) {
         stale_ = true;
@@ -48,20 +79,32 @@ void SurfaceController::derive(SurfaceSettings settings, Commit commit) {
 void SurfaceController::start() {
     running_ = true;
     stale_ = false;
-    ShapeInput input = *std::exchange(wanted_, std::nullopt);
-    pool_.start([this, input = std::move(input), cache = document_.shapeCache()] {
-        auto shape = std::make_shared<const DerivedShape>(deriveShape(input, *cache));
+    Wish wish = *std::exchange(wanted_, std::nullopt);
+    pool_.start([this, wish = std::move(wish), cache = document_.shapeCache()] {
+        QElapsedTimer clock;
+        clock.start();
+        Derived derived;
+        derived.shape = std::make_shared<const DerivedShape>(deriveShape(wish.input, *cache));
+        derived.coarser = wish.coarser;
+        derived.ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
         // This outlives the worker: the destructor waits for it.
         QMetaObject::invokeMethod(
-            this, [this, shape] { finish(shape); }, Qt::QueuedConnection);
+            this, [this, derived] { finish(derived); }, Qt::QueuedConnection);
     });
 }
 
-void SurfaceController::finish(const std::shared_ptr<const DerivedShape>& shape) {
+void SurfaceController::show(const Derived& derived) {
+    viewport_.setPreview(ShapePreview{derived.shape});
+    unseen_ = derived;
+    sinceShown_.start();
+}
+
+void SurfaceController::finish(const Derived& derived) {
     running_ = false;
+    const std::shared_ptr<const DerivedShape>& shape = derived.shape;
     if (wanted_) {
         // Every drag is shown on the way where there is time for it, not only its end.
-        if (!commit_ && !shape->problem) viewport_.setPreview(ShapePreview{shape});
+        if (!commit_ && !shape->problem) show(derived);
         start();
         return;
     }
@@ -76,8 +119,21 @@ void SurfaceController::finish(const std::shared_ptr<const DerivedShape>& shape)
         return;
     }
     clamped_ = shape->clamped;
-    viewport_.setPreview(ShapePreview{shape});
+    show(derived);
+    if (derived.coarser.value_or(0) > 0) rest_.start();
     emit changed();
+}
+
+void SurfaceController::onFrameShown() {
+    if (!unseen_) return;
+    const Derived shown = *std::exchange(unseen_, std::nullopt);
+    if (!shown.coarser) return;
+    const double step = shown.ms + static_cast<double>(sinceShown_.nsecsElapsed()) * 1e-6;
+    if (step > stepBudgetMs_ && coarser_ < kMostCoarser) {
+        ++coarser_;
+    } else if (step < kFasterShare * stepBudgetMs_ && coarser_ > 0) {
+        --coarser_;
+    }
 }
 
 void SurfaceController::flush() {
@@ -85,6 +141,8 @@ void SurfaceController::flush() {
 }
 
 void SurfaceController::run(const Commit& commit) {
+    drag_.reset();
+    rest_.stop();
     const auto done = commit();
     // Where nothing changed the document says nothing, and the preview must not stay.
     viewport_.setPreview(std::nullopt);
@@ -122,7 +180,9 @@ void SurfaceController::previewFillet(double radius, int segments) {
         emit failed(settings.error());
         return;
     }
-    derive(*std::move(settings), {});
+    drag_ = *settings;
+    settings->subdivision = coarsened(settings->subdivision, coarser_);
+    derive(*std::move(settings), {}, coarser_);
 }
 
 void SurfaceController::commitFillet(double radius, int segments) {

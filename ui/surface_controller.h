@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,6 +19,8 @@ class ViewportWidget;
 /// Surface settings by hand: what a drag would give is derived by a worker and shown while it goes
 /// on; letting go makes it one step of the history. The window never waits for a shape: of several
 /// wishes only the newest is carried out, and a result that is no longer wanted is dropped.
+/// Where a machine cannot derive and draw the surface as often as a drag wants it, a coarser one is
+/// shown while the radius moves, and the whole one as soon as it rests.
 class SurfaceController : public QObject {
     Q_OBJECT
 
@@ -49,6 +52,10 @@ class SurfaceController : public QObject {
     bool busy() const { return commit_ != nullptr; }
     /// Edges that are clamped in what is shown now.
     const std::vector<ClampedEdge>& clamped() const { return clamped_; }
+    /// Longest time that a step of a drag may take before the next one is shown coarser [ms].
+    void setStepBudget(double ms) { stepBudgetMs_ = ms; }
+    /// True from when a shape is to be shown until it is seen.
+    bool waitsForFrame() const { return unseen_.has_value(); }
     /// Waits for the worker and carries out what it was for; for pictures and tests.
     void settle();
 
@@ -61,10 +68,23 @@ class SurfaceController : public QObject {
 
   private:
     using Commit = std::function<Result<void>()>;
+    /// What is to be derived.
+    struct Wish {
+        ShapeInput input;
+        std::optional<int> coarser;  ///< set for a step of a drag: levels that are left out
+    };
+    /// What came of it, and how long it took.
+    struct Derived {
+        std::shared_ptr<const DerivedShape> shape;
+        std::optional<int> coarser;
+        double ms = 0.0;
+    };
     /// Derives the shape of these settings and shows it, then runs `commit` where there is one.
-    void derive(SurfaceSettings settings, Commit commit);
+    void derive(SurfaceSettings settings, Commit commit, std::optional<int> coarser = {});
     void start();
-    void finish(const std::shared_ptr<const DerivedShape>& shape);
+    void finish(const Derived& derived);
+    void show(const Derived& derived);
+    void onFrameShown();
     void run(const Commit& commit);
     /// Carries out what was asked for without waiting for the worker.
     void flush();
@@ -79,10 +99,17 @@ class SurfaceController : public QObject {
     std::vector<ClampedEdge> clamped_;
 
     QThreadPool pool_;
-    std::optional<ShapeInput> wanted_;  // the newest wish, not begun
-    std::unique_ptr<Commit> commit_;    // what the newest wish is for
+    std::optional<Wish> wanted_;      // the newest wish, not begun
+    std::unique_ptr<Commit> commit_;  // what the newest wish is for
     bool running_ = false;
     bool stale_ = false;  // what the worker makes is no longer wanted
+
+    std::optional<SurfaceSettings> drag_;  // the newest step of a drag, in full
+    int coarser_ = 0;                      // levels that are left out while dragging
+    double stepBudgetMs_;
+    std::optional<Derived> unseen_;  // given to the viewport, not drawn yet
+    QElapsedTimer sinceShown_;
+    QTimer rest_;  // until the whole surface is shown
 };
 
 }  // namespace ew

@@ -124,11 +124,16 @@ Json surfaceJson(const Document& document) {
     double deviation = 0.0;
     if (hasSurface || shape->hasCage()) {
         for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+            // A surface may be large: it is read where it is. Its pose changes no volume.
+            if (const auto& surface = shape->bodies[b].surface) {
+                triangles += surface->triangles.size();
+                volume += enclosedVolume(surface->positions, surface->triangles);
+                deviation = std::max(deviation, estimatedDeviation(*surface));
+                continue;
+            }
             const ShapeMesh mesh = shapeMesh(state.bodies[b], shape->bodies[b]);
             triangles += mesh.triangles.size();
             volume += enclosedVolume(mesh.positions, mesh.triangles);
-            const auto& surface = shape->bodies[b].surface;
-            if (surface) deviation = std::max(deviation, estimatedDeviation(*surface));
         }
     }
     const double tolerance = state.surface.subdivision.tolerance;

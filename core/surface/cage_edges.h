@@ -9,36 +9,50 @@
 
 namespace ew {
 
-/// The edges of a closed control cage and what is sharp about them.
+/// The edges of a closed control cage and what is sharp about them. A side is one face's part of an
+/// edge; it has the number of the corner that it begins at, in PolyMesh::corners.
 class CageEdges {
   public:
-    struct Side {
-        int edge = -1;
-    };
-
+    /// \pre the cage is closed, its faces have no holes.
     explicit CageEdges(const ControlCage& cage);
 
-    int count() const { return static_cast<int>(hard_.size()); }
+    int count() const { return static_cast<int>(sharpness_.size()); }
     /// By corner of a face: the edge from there to the next corner.
-    std::span<const Side> of(int face) const {
-        const auto f = static_cast<std::size_t>(face);
-        return {sides_.data() + start_[f], sides_.data() + start_[f + 1]};
+    std::span<const int> of(int face) const {
+        const auto first = static_cast<std::size_t>(firstSide(face));
+        return {edge_.data() + first, edge_.data() + firstSide(face + 1)};
+    }
+    int firstSide(int face) const { return mesh_->loopStart[static_cast<std::size_t>(face)]; }
+    int faceOf(int side) const { return face_[static_cast<std::size_t>(side)]; }
+    /// The same edge as the face beyond it has it.
+    int twin(int side) const { return twin_[static_cast<std::size_t>(side)]; }
+    int edge(int side) const { return edge_[static_cast<std::size_t>(side)]; }
+
+    /// 0 smooth .. kInfiniteSharpness.
+    float sharpness(int edge) const { return sharpness_[static_cast<std::size_t>(edge)]; }
+    float pointSharpness(int point) const {
+        return pointSharpness_[static_cast<std::size_t>(point)];
     }
     /// Infinitely sharp.
-    bool hard(int edge) const { return hard_[static_cast<std::size_t>(edge)]; }
+    bool hard(int edge) const { return sharpness(edge) >= kInfiniteSharpness; }
     /// A corner, or on a hard edge.
     bool hardPoint(int point) const { return hardPoint_[static_cast<std::size_t>(point)]; }
     bool anyHard() const { return anyHard_; }
-    /// A quadrangle with four faces at each corner and nothing sharp in reach: its surface is one
-    /// bicubic B-spline patch.
-    bool plain(int face) const { return plain_[static_cast<std::size_t>(face)]; }
 
   private:
-    std::vector<Side> sides_;
-    std::vector<std::size_t> start_{0};
-    std::vector<bool> hard_;
+    void number();
+    void readSharpness(const ControlCage& cage);
+    int find(int a, int b) const;
+
+    const PolyMesh* mesh_;
+    std::vector<int> edge_;  ///< by side, in the three
+    std::vector<int> face_;
+    std::vector<int> twin_;
+    std::vector<std::size_t> outStart_;  ///< sides by the point that they begin at
+    std::vector<int> out_;
+    std::vector<float> sharpness_;
+    std::vector<float> pointSharpness_;
     std::vector<bool> hardPoint_;
-    std::vector<bool> plain_;
     bool anyHard_ = false;
 };
 

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-#include "core/base/tolerance.h"
-
 namespace ew {
 namespace {
 
@@ -80,20 +78,24 @@ Vec3 LimitSurface::position(double u, double v) const {
     return p;
 }
 
-void LimitSurface::evaluate(double u, double v, Vec3& position, Vec3& normal) const {
+void LimitSurface::evaluate(double u, double v, Vec3& position, Vec3& du, Vec3& dv) const {
     const double uv[2] = {u, v};
-    Vec3 du;
-    Vec3 dv;
     surface_.Evaluate(uv, patch_.data(), kThree, position.data(), du.data(), dv.data());
-    normal = du.cross(dv);
-    const double length = normal.norm();
-    const bool flat = length <= tol::kNoNormalSine * du.norm() * dv.norm();
-    normal = flat ? Vec3(Vec3::Zero()) : Vec3(normal / length);
 }
 
-int LimitSurface::weights(double u, double v, double* p, double* du, double* dv) const {
+void LimitSurface::controlPoints(std::vector<int>& out) const {
+    out.resize(static_cast<std::size_t>(surface_.GetNumControlPoints()));
+    surface_.GetControlPointIndices(out.data());
+}
+
+void LimitSurface::weights(double u, double v, double* p, double* du, double* dv) const {
     const double uv[2] = {u, v};
-    return surface_.EvaluateStencil(uv, p, du, dv);
+    surface_.EvaluateStencil(uv, p, du, dv);
+}
+
+void LimitSurface::weights(double u, double v, double* p) const {
+    const double uv[2] = {u, v};
+    surface_.EvaluateStencil(uv, p);
 }
 
 }  // namespace ew

@@ -27,16 +27,13 @@ class LimitSurface {
     /// The same for measuring only: patches beside extraordinary points are those of two levels,
     /// which take a fraction of the time.
     bool selectCoarse(int face) { return select(face, *coarse_); }
-    OpenSubdiv::Bfr::Parameterization parameterization() const {
-        return surface_.GetParameterization();
-    }
     Vec3 position(double u, double v) const;
-    /// Position and unit normal; zero where the surface has none.
-    void evaluate(double u, double v, Vec3& position, Vec3& normal) const;
-    /// The control points of a regular patch without creases, as evaluate() weighs them.
-    const double* patchPoints() const { return patch_.data(); }
-    /// Weights of position and both derivatives for a face like the selected one.
-    int weights(double u, double v, double* p, double* du, double* dv) const;
+    void evaluate(double u, double v, Vec3& position, Vec3& du, Vec3& dv) const;
+    /// Points of the cage that the selected face depends on.
+    void controlPoints(std::vector<int>& out) const;
+    /// Their weights in the position and both derivatives, as many each.
+    void weights(double u, double v, double* p, double* du, double* dv) const;
+    void weights(double u, double v, double* p) const;
 
   private:
     using Refiner = OpenSubdiv::Far::TopologyRefiner;

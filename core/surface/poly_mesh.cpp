@@ -118,65 +118,100 @@ double enclosedVolume(const std::vector<Vec3>& points,
     return six / 6.0;
 }
 
-Result<void> checkClosed(const PolyMesh& mesh) {
-    struct Side {
-        int from;
-        int to;
-        std::size_t corner;
-    };
-    const std::size_t count = mesh.corners.size();
-    std::vector<Side> sides;
-    std::vector<int> previous(count);  // the corner before, in its loop
-    sides.reserve(count);
-    for (std::size_t l = 0; l + 1 < mesh.loopStart.size(); ++l) {
-        const int first = mesh.loopStart[l];
-        const int last = mesh.loopStart[l + 1];
-        for (int k = first; k < last; ++k) {
-            const int next = k + 1 < last ? k + 1 : first;
-            previous[at(next)] = k;
-            const int from = mesh.corners[at(k)];
-            const int to = mesh.corners[at(next)];
-            if (from == to || from < 0 || at(from) >= mesh.points.size()) {
-                return fail(Errc::BadValue, "Loop " + std::to_string(l) + " names point " +
-                                                std::to_string(from) + " wrongly.");
+namespace {
+
+/// The sides of all loops, by the point that they begin at and then by the one that they lead to. A
+/// side has the number of the corner that it begins at.
+class SideTable {
+  public:
+    static Result<SideTable> create(const PolyMesh& mesh) {
+        SideTable out;
+        const std::size_t count = mesh.corners.size();
+        out.target_.resize(count);
+        out.previous_.resize(count);
+        out.start_.assign(mesh.points.size() + 1, 0);
+        for (std::size_t l = 0; l + 1 < mesh.loopStart.size(); ++l) {
+            const int first = mesh.loopStart[l];
+            const int last = mesh.loopStart[l + 1];
+            for (int k = first; k < last; ++k) {
+                const int next = k + 1 < last ? k + 1 : first;
+                const int from = mesh.corners[at(k)];
+                out.previous_[at(next)] = k;
+                out.target_[at(k)] = mesh.corners[at(next)];
+                if (from == out.target_[at(k)] || from < 0 || at(from) >= mesh.points.size()) {
+                    return fail(Errc::BadValue, "Loop " + std::to_string(l) + " names point " +
+                                                    std::to_string(from) + " wrongly.");
+                }
+                ++out.start_[at(from) + 1];
             }
-            sides.push_back({from, to, at(k)});
         }
+        for (std::size_t v = 1; v < out.start_.size(); ++v) out.start_[v] += out.start_[v - 1];
+        std::vector<std::size_t> fill(out.start_.begin(), out.start_.end() - 1);
+        out.sides_.resize(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            out.sides_[fill[at(mesh.corners[k])]++] = static_cast<int>(k);
+        }
+        for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+            const auto first = out.sides_.begin();
+            std::sort(first + static_cast<std::ptrdiff_t>(out.start_[v]),
+                      first + static_cast<std::ptrdiff_t>(out.start_[v + 1]),
+                      [&](int a, int b) { return out.target_[at(a)] < out.target_[at(b)]; });
+        }
+        return out;
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-    });
-    std::vector<std::size_t> twin(count);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const Side& s = sides[i];
-        const std::string name = std::to_string(s.from) + "-" + std::to_string(s.to);
-        if (i > 0 && sides[i - 1].from == s.from && sides[i - 1].to == s.to) {
-            return fail(Errc::NotOriented,
-                        "Two faces run along edge " + name + " in one direction.");
-        }
-        const auto back = std::lower_bound(
-            sides.begin(), sides.end(), std::pair(s.to, s.from),
-            [](const Side& a, const auto& key) { return std::pair(a.from, a.to) < key; });
-        if (back == sides.end() || back->from != s.to || back->to != s.from) {
-            return fail(Errc::NotClosed, "Edge " + name + " has a face on one side only.");
-        }
-        twin[s.corner] = back->corner;
+
+    std::span<const int> leaving(std::size_t point) const {
+        return {sides_.data() + start_[point], sides_.data() + start_[point + 1]};
     }
-    std::vector<int> degree(mesh.points.size(), 0);
-    std::vector<std::size_t> start(mesh.points.size(), count);
-    for (std::size_t k = 0; k < count; ++k) {
-        ++degree[at(mesh.corners[k])];
-        start[at(mesh.corners[k])] = k;
+    int target(int side) const { return target_[at(side)]; }
+    int previous(int side) const { return previous_[at(side)]; }
+    /// The side from one point to another, -1 where there is none.
+    int find(int from, int to) const {
+        const auto all = leaving(at(from));
+        const auto it = std::lower_bound(all.begin(), all.end(), to,
+                                         [&](int s, int point) { return target(s) < point; });
+        return it != all.end() && target(*it) == to ? *it : -1;
+    }
+
+  private:
+    std::vector<int> target_;
+    std::vector<int> previous_;  ///< in its loop
+    std::vector<std::size_t> start_;
+    std::vector<int> sides_;
+};
+
+}  // namespace
+
+Result<void> checkClosed(const PolyMesh& mesh) {
+    const auto sides = SideTable::create(mesh);
+    if (!sides) return fail(sides.error());
+    std::vector<int> twin(mesh.corners.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        const auto leaving = sides->leaving(v);
+        for (std::size_t i = 0; i < leaving.size(); ++i) {
+            const int to = sides->target(leaving[i]);
+            const auto name = [&] { return std::to_string(v) + "-" + std::to_string(to); };
+            if (i > 0 && sides->target(leaving[i - 1]) == to) {
+                return fail(Errc::NotOriented,
+                            "Two faces run along edge " + name() + " in one direction.");
+            }
+            const int back = sides->find(to, static_cast<int>(v));
+            if (back < 0) {
+                return fail(Errc::NotClosed, "Edge " + name() + " has a face on one side only.");
+            }
+            twin[at(leaving[i])] = back;
+        }
     }
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-        if (start[v] == count) continue;
-        int steps = 0;
-        std::size_t k = start[v];
+        const auto leaving = sides->leaving(v);
+        if (leaving.empty()) continue;
+        std::size_t steps = 0;
+        int side = leaving[0];
         do {
-            k = twin[at(previous[k])];
+            side = twin[at(sides->previous(side))];
             ++steps;
-        } while (k != start[v] && steps <= degree[v]);
-        if (steps != degree[v]) {
+        } while (side != leaving[0] && steps <= leaving.size());
+        if (steps != leaving.size()) {
             return fail(Errc::NotManifold,
                         "Two parts of the surface touch in point " + std::to_string(v) + " only.");
         }

@@ -7,9 +7,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "core/base/tolerance.h"
 #include "core/surface/cage_edges.h"
-#include "core/surface/limit_surface.h"
+#include "core/surface/surface_evaluator.h"
 #include "core/surface/surface_pattern.h"
 #include "core/surface/surface_rates.h"
 
@@ -47,7 +46,10 @@ Result<void> checkInput(const ControlCage& cage, const SubdivisionOptions& optio
 class Tessellator {
   public:
     Tessellator(const ControlCage& cage, const SubdivisionOptions& options, LimitSurface surface)
-        : cage_(cage), options_(options), surface_(std::move(surface)), edges_(cage) {}
+        : cage_(cage),
+          options_(options),
+          edges_(cage),
+          evaluator_(cage, edges_, options.scheme, std::move(surface)) {}
 
     Result<SurfaceMesh> run() {
         if (auto ok = chooseRates(); !ok) return fail(ok.error());
@@ -57,11 +59,8 @@ class Tessellator {
         edgePositions_.assign(at(edges_.count()), -1);
         edgeNormals_.assign(at(edges_.count()), -1);
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
-            if (!surface_.select(f)) {
-                return fail(Errc::Internal,
-                            "Face " + std::to_string(f) + " of the cage has no surface.");
-            }
             addFace(f);
+            if (lost_) return noSurface(f);
         }
         mendNormals();
         return std::move(out_);
@@ -74,7 +73,18 @@ class Tessellator {
         int normal;
     };
 
+    /// What a face is cut up by, and the weights that it shares with others of its class.
+    struct Cut {
+        SurfacePattern* pattern = nullptr;
+        PointWeights* weights = nullptr;
+    };
+
     bool adaptive() const { return options_.tolerance > 0.0; }
+
+    static Unexpected<Error> noSurface(int face) {
+        return fail(Errc::Internal,
+                    "Face " + std::to_string(face) + " of the cage has no surface.");
+    }
 
     Result<void> chooseRates() {
         edgeRates_.assign(at(edges_.count()), 1);
@@ -86,20 +96,19 @@ class Tessellator {
         constexpr double kMost = 30000.0;
         innerRates_.resize(at(cage_.mesh.faceCount()));
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
-            if (!surface_.selectCoarse(f)) {
-                return fail(Errc::Internal,
-                            "Face " + std::to_string(f) + " of the cage has no surface.");
-            }
+            const auto samples = evaluator_.measure(f);
+            if (samples.empty()) return noSurface(f);
             const auto sides = edges_.of(f);
             hard_.clear();
-            for (const CageEdges::Side& side : sides) hard_.push_back(edges_.hard(side.edge));
-            const FaceRates rates = facePieces(surface_, options_.tolerance, hard_);
+            for (const int side : sides) hard_.push_back(edges_.hard(side));
+            const FaceRates rates =
+                facePieces(evaluator_.parameterization(f), samples, options_.tolerance, hard_);
             const auto whole = [&](double r) {
                 return static_cast<int>(std::ceil(std::clamp(r, 1.0, kMost)));
             };
             innerRates_[at(f)] = {whole(rates.inner[0]), whole(rates.inner[1])};
             for (std::size_t k = 0; k < sides.size(); ++k) {
-                int& rate = edgeRates_[at(sides[k].edge)];
+                int& rate = edgeRates_[at(sides[k])];
                 rate = std::max(rate, whole(rates.edges[k]));
             }
         }
@@ -121,7 +130,7 @@ class Tessellator {
         double along = innerRates_[at(f)][1];
         for (std::size_t k = 0; k < sides.size(); ++k) {
             double& side = k % 2 == 0 ? across : along;
-            side = std::max(side, static_cast<double>(edgeRates_[at(sides[k].edge)]));
+            side = std::max(side, static_cast<double>(edgeRates_[at(sides[k])]));
         }
         if (sides.size() == 4) return {across * along + across + along, 2.0 * across * along};
         const double rate = std::max(across, along);
@@ -163,11 +172,9 @@ class Tessellator {
         std::size_t triangleCount = 0;
         for (const int rate : edgeRates_) pointCount += at(rate - 1);
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
-            SurfacePattern& p = pattern(f);
-            ++p.uses;
+            const SurfacePattern& p = *chooseCut(f).pattern;
             std::size_t border = 0;
-            for (const CageEdges::Side& side : edges_.of(f))
-                border += at(edgeRates_[at(side.edge)]);
+            for (const int side : edges_.of(f)) border += at(edgeRates_[at(side)]);
             pointCount += p.coords.size() - border;
             for (const auto& facet : p.facets) triangleCount += facet[3] < 0 ? 1 : 2;
         }
@@ -184,15 +191,12 @@ class Tessellator {
         return {};
     }
 
-    SurfacePattern& pattern(int face) {
+    /// Finds or makes what a face is cut up by, and counts it.
+    const Cut& chooseCut(int face) {
         const auto sides = edges_.of(face);
-        const OpenSubdiv::Bfr::Parameterization parameters(
-            options_.scheme == SubdivisionScheme::Loop ? OpenSubdiv::Sdc::SCHEME_LOOP
-                                                       : OpenSubdiv::Sdc::SCHEME_CATMARK,
-            static_cast<int>(sides.size()));
         key_.clear();
         if (adaptive()) {
-            for (const CageEdges::Side& side : sides) key_.push_back(edgeRates_[at(side.edge)]);
+            for (const int side : sides) key_.push_back(edgeRates_[at(side)]);
             key_.push_back(innerRates_[at(face)][0]);
             if (sides.size() == 4) key_.push_back(innerRates_[at(face)][1]);
         }
@@ -200,51 +204,42 @@ class Tessellator {
         key_.push_back(static_cast<int>(sides.size()));
         const auto [it, isNew] = patterns_.try_emplace(key_);
         if (isNew) {
+            const auto parameters = evaluator_.parameterization(face);
             const std::vector<int> rates(key_.begin(), key_.end() - 1);
             it->second = adaptive() ? adaptivePattern(parameters, rates)
                                     : uniformPattern(parameters, options_.levels);
         }
-        return it->second;
+        SurfacePattern* pattern = &it->second;
+        PointWeights* weights = &weights_[{evaluator_.classes().of(face), pattern}];
+        ++weights->uses;
+        return cuts_.emplace_back(Cut{pattern, weights});
     }
 
-    void evaluate(SurfacePattern& p, std::size_t i, bool plain, Vec3& position, Vec3& normal) {
-        // Weights are worth their memory where several faces share them.
-        constexpr int kFewUses = 4;
-        if (!plain || p.uses < kFewUses) {
-            surface_.evaluate(p.coords[i].x(), p.coords[i].y(), position, normal);
-            return;
-        }
-        if (p.weights.empty()) {
-            p.weights.resize(48 * p.coords.size());
-            for (std::size_t k = 0; k < p.coords.size(); ++k) {
-                double* w = p.weights.data() + 48 * k;
-                surface_.weights(p.coords[k].x(), p.coords[k].y(), w, w + 16, w + 32);
-            }
-        }
-        using Points = Eigen::Map<const Eigen::Matrix<double, 3, 16>>;
-        using Weights = Eigen::Map<const Eigen::Matrix<double, 16, 3>>;
-        const Eigen::Matrix3d at = Points(surface_.patchPoints()) * Weights(&p.weights[48 * i]);
-        position = at.col(0);
-        normal = at.col(1).cross(at.col(2)).normalized();
+    void evaluate(std::size_t i, Vec3& position, Vec3& normal) {
+        if (!evaluator_.evaluate(i, position, normal)) lost_ = true;
+        // Beside slivers of a planar face the parameters of its surface may run backwards. The
+        // surface is in the plane all the same, and so has its normal.
+        if (normal.dot(faceNormal_) < -kBackwards) normal = -normal;
     }
 
     void addFace(int f) {
-        SurfacePattern& p = pattern(f);
-        const bool plain = options_.scheme == SubdivisionScheme::CatmullClark && edges_.plain(f);
+        const SurfacePattern& p = *cuts_[at(f)].pattern;
+        evaluator_.begin(f, p.coords, *cuts_[at(f)].weights);
+        faceNormal_ = loopAreaVector(cage_.mesh.points, cage_.mesh.outline(f)).normalized();
         slots_.assign(p.coords.size(), {-1, -1});
         std::size_t i = 0;
         const auto sides = edges_.of(f);
         const auto corners = cage_.mesh.outline(f);
         for (std::size_t k = 0; k < sides.size(); ++k) {
-            addVertex(p, i++, corners[k], plain);
-            const int rate = edgeRates_[at(sides[k].edge)];
-            addEdge(p, i, sides[k], rate, plain);
+            addVertex(i++, corners[k]);
+            const int rate = edgeRates_[at(sides[k])];
+            addEdge(i, sides[k], rate);
             i += at(rate - 1);
         }
         for (; i < p.coords.size(); ++i) {
             Vec3 position;
             Vec3 normal;
-            evaluate(p, i, plain, position, normal);
+            evaluate(i, position, normal);
             slots_[i] = {addPosition(position), addNormal(normal)};
         }
         for (const auto& q : p.facets) addFacet(f, q);
@@ -260,28 +255,26 @@ class Tessellator {
     }
 
     /// A point that faces share: its place once, its normal once or, where it is hard, per face.
-    void addShared(SurfacePattern& p, std::size_t i, bool plain, bool hard, int& position,
-                   int& normal) {
+    void addShared(std::size_t i, bool hard, int& position, int& normal) {
         if (position < 0 || hard) {
             Vec3 where;
             Vec3 up;
-            evaluate(p, i, plain, where, up);
+            evaluate(i, where, up);
             if (position < 0) position = addPosition(where);
             normal = addNormal(up);
         }
         slots_[i] = {position, normal};
     }
 
-    void addVertex(SurfacePattern& p, std::size_t i, int vertex, bool plain) {
-        addShared(p, i, plain, edges_.hardPoint(vertex), vertexPositions_[at(vertex)],
+    void addVertex(std::size_t i, int vertex) {
+        addShared(i, edges_.hardPoint(vertex), vertexPositions_[at(vertex)],
                   vertexNormals_[at(vertex)]);
     }
 
-    void addEdge(SurfacePattern& p, std::size_t first, const CageEdges::Side& side, int rate,
-                 bool plain) {
-        int& position = edgePositions_[at(side.edge)];
-        int& normal = edgeNormals_[at(side.edge)];
-        const bool hard = edges_.hard(side.edge);
+    void addEdge(std::size_t first, int edge, int rate) {
+        int& position = edgePositions_[at(edge)];
+        int& normal = edgeNormals_[at(edge)];
+        const bool hard = edges_.hard(edge);
         const bool known = position >= 0;
         if (!known) position = static_cast<int>(out_.positions.size());
         if (!known || hard) normal = static_cast<int>(out_.normals.size());
@@ -290,7 +283,7 @@ class Tessellator {
             const int back = rate - 2 - j;
             int slotPosition = known ? position + back : -1;
             int slotNormal = known && !hard ? normal + back : -1;
-            addShared(p, first + at(j), plain, hard, slotPosition, slotNormal);
+            addShared(first + at(j), hard, slotPosition, slotNormal);
         }
     }
 
@@ -340,13 +333,19 @@ class Tessellator {
         }
     }
 
+    static constexpr double kBackwards = 0.999;  ///< cosine; no curved face turns so far
+
     const ControlCage& cage_;
     const SubdivisionOptions& options_;
-    LimitSurface surface_;
     CageEdges edges_;
+    SurfaceEvaluator evaluator_;
     std::vector<int> edgeRates_;
     std::vector<std::array<int, 2>> innerRates_;
     std::map<std::vector<int>, SurfacePattern> patterns_;
+    std::map<std::pair<int, const SurfacePattern*>, PointWeights> weights_;  ///< first: class
+    std::vector<Cut> cuts_;                                                  ///< by face
+    Vec3 faceNormal_ = Vec3::Zero();  ///< unit, of the control polygon
+    bool lost_ = false;               ///< a face had no surface
     std::vector<int> key_;
     std::vector<bool> hard_;
     std::vector<int> vertexPositions_;

@@ -16,11 +16,6 @@ namespace ew {
 struct SurfacePattern {
     std::vector<Vec2> coords;
     std::vector<std::array<int, 4>> facets;  ///< counter-clockwise; [3] is -1 in a triangle
-
-    /// For regular patches: weights of 16 control points by coordinate, for the position and both
-    /// derivatives; empty until they are asked for.
-    std::vector<double> weights;
-    int uses = 0;  ///< faces that it serves
 };
 
 /// What `levels` rounds of subdivision make of a face.

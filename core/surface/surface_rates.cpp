@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace ew {
 namespace {
@@ -12,18 +11,14 @@ using OpenSubdiv::Bfr::Parameterization;
 
 constexpr int kCells = 4;  ///< samples are kCells + 1 a side
 
+constexpr std::size_t kPoints = (kCells + 1) * (kCells + 1);
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Points of a square domain and how much the surface bends there.
 class Grid {
   public:
-    Grid(const std::function<Vec3(double, double)>& point) {
-        for (int k = 0; k <= kCells; ++k) {
-            for (int i = 0; i <= kCells; ++i) {
-                points_[index(i, k)] =
-                    point(static_cast<double>(i) / kCells, static_cast<double>(k) / kCells);
-            }
-        }
+    explicit Grid(std::span<const Vec3> points) : points_(points) {
         for (int k = 0; k <= kCells; ++k) {
             for (int i = 0; i <= kCells; ++i) measure(i, k);
         }
@@ -80,8 +75,8 @@ class Grid {
                               scale;
     }
 
-    std::array<Vec3, (kCells + 1) * (kCells + 1)> points_;
-    std::array<Vec3, (kCells + 1) * (kCells + 1)> bends_;
+    std::span<const Vec3> points_;
+    std::array<Vec3, kPoints> bends_;
 };
 
 /// Pieces along u and v so that (uu / nu^2 + 2 uv / (nu nv) + vv / nv^2) / 8 <= tolerance, with the
@@ -102,8 +97,9 @@ std::array<double, 2> pieces(const Vec3& bend, double tolerance) {
 
 double curvePieces(double bend, double tolerance) { return std::sqrt(bend / (8.0 * tolerance)); }
 
-FaceRates quadRates(const LimitSurface& surface, double tolerance, const std::vector<bool>& hard) {
-    const Grid grid([&](double u, double v) { return surface.position(u, v); });
+FaceRates quadRates(std::span<const Vec3> samples, double tolerance,
+                    const std::vector<bool>& hard) {
+    const Grid grid(samples);
     constexpr int kHalf = kCells / 2;
     FaceRates out;
     out.inner = pieces(grid.bend(0, kCells, 0, kCells), tolerance);
@@ -141,50 +137,55 @@ double evenPieces(const Vec3& bend, double tolerance) {
 
 }  // namespace
 
-FaceRates facePieces(const LimitSurface& surface, double tolerance, const std::vector<bool>& hard) {
-    const Parameterization face = surface.parameterization();
-    if (face.GetType() == Parameterization::QUAD) return quadRates(surface, tolerance, hard);
+std::vector<Vec2> rateSamples(const Parameterization& face) {
+    std::vector<Vec2> out;
+    const auto add = [&](const auto& place) {
+        for (int k = 0; k <= kCells; ++k) {
+            for (int i = 0; i <= kCells; ++i) {
+                out.push_back(
+                    place(static_cast<double>(i) / kCells, static_cast<double>(k) / kCells));
+            }
+        }
+    };
+    if (face.GetType() == Parameterization::QUAD) {
+        add([](double s, double t) { return Vec2(s, t); });
+        return out;
+    }
+    if (face.GetType() == Parameterization::TRI) {
+        // A square at each corner, half the triangle's side long: it is folded along the triangle's
+        // diagonal, each half stays inside.
+        add([](double s, double t) { return Vec2(0.5 * s, 0.5 * t); });
+        add([](double s, double t) { return Vec2(1.0 - 0.5 * s - 0.5 * t, 0.5 * s); });
+        add([](double s, double t) { return Vec2(0.5 * t, 1.0 - 0.5 * s - 0.5 * t); });
+        return out;
+    }
+    for (int k = 0; k < face.GetFaceSize(); ++k) {
+        add([&](double s, double t) {
+            const double sub[2] = {s, t};
+            Vec2 uv;
+            face.ConvertNormalizedSubFaceToCoord(k, sub, uv.data());
+            return uv;
+        });
+    }
+    return out;
+}
+
+FaceRates facePieces(const Parameterization& face, std::span<const Vec3> samples, double tolerance,
+                     const std::vector<bool>& hard) {
+    if (face.GetType() == Parameterization::QUAD) return quadRates(samples, tolerance, hard);
     const int n = face.GetFaceSize();
     std::vector<double> curves(at(n), 0.0);
     double most = 1.0;
-    if (face.GetType() == Parameterization::TRI) {
-        // The square is folded along the triangle's diagonal; each half stays inside.
-        for (int corner = 0; corner < 3; ++corner) {
-            const Grid grid([&](double s, double t) {
-                // A square at one corner, half the triangle's side long.
-                const double a = 0.5 * s;
-                const double b = 0.5 * t;
-                const double c = 1.0 - a - b;
-                switch (corner) {
-                    case 0:
-                        return surface.position(a, b);
-                    case 1:
-                        return surface.position(c, a);
-                    default:
-                        return surface.position(b, c);
-                }
-            });
-            // Derivatives by the half side are a quarter of those by the side.
-            const Vec3 bend = 4.0 * grid.bend(0, kCells, 0, kCells);
-            most = std::max(most, evenPieces(bend, tolerance));
-            // Corner 0 has edge 0 along s, corner 1 edge 1, corner 2 edge 2.
-            curves[at(corner)] = std::max(curves[at(corner)], 4.0 * grid.curve(0));
-            curves[at((corner + 2) % 3)] =
-                std::max(curves[at((corner + 2) % 3)], 4.0 * grid.curve(3));
-        }
-        return evenRates(most, curves, hard, tolerance);
-    }
     for (int k = 0; k < n; ++k) {
-        const Grid grid([&](double s, double t) {
-            const double sub[2] = {s, t};
-            double uv[2];
-            face.ConvertNormalizedSubFaceToCoord(k, sub, uv);
-            return surface.position(uv[0], uv[1]);
-        });
+        const Grid grid(samples.subspan(at(k) * kPoints, kPoints));
+        // Derivatives by the half side are a quarter of those by the side.
         const Vec3 bend = 4.0 * grid.bend(0, kCells, 0, kCells);
         most = std::max(most, evenPieces(bend, tolerance));
-        curves[at(k)] = std::max(curves[at(k)], 4.0 * grid.curve(0));
-        curves[at((k + n - 1) % n)] = std::max(curves[at((k + n - 1) % n)], 4.0 * grid.curve(3));
+        // A corner has its own edge along s and the one before along t.
+        double& own = curves[at(k)];
+        double& before = curves[at((k + n - 1) % n)];
+        own = std::max(own, 4.0 * grid.curve(0));
+        before = std::max(before, 4.0 * grid.curve(3));
     }
     return evenRates(most, curves, hard, tolerance);
 }

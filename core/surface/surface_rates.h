@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to core/surface.
+// Private to core/surface: brings OpenSubdiv with it.
 #pragma once
 
+#include <opensubdiv/bfr/parameterization.h>
+
+#include <array>
+#include <span>
 #include <vector>
 
-#include "core/surface/limit_surface.h"
+#include "core/base/vec.h"
 
 namespace ew {
 
@@ -15,9 +19,14 @@ struct FaceRates {
         inner{};  ///< along edge 0 and along edge 1 of a quadrangle; else the same
 };
 
-/// Measures the selected face by second differences of points on it. What counts is how far the
-/// surface bends out of its tangent plane: how it is parameterised does not matter.
-/// \param hard  by edge: a crease, whose curve counts in all directions.
-FaceRates facePieces(const LimitSurface& surface, double tolerance, const std::vector<bool>& hard);
+/// Where a face is to be measured: coordinates in its parameter domain.
+std::vector<Vec2> rateSamples(const OpenSubdiv::Bfr::Parameterization& face);
+
+/// Measures a face by second differences of points on it. What counts is how far the surface bends
+/// out of its tangent plane: how it is parameterised does not matter.
+/// \param samples  the surface at rateSamples(face).
+/// \param hard     by edge: a crease, whose curve counts in all directions.
+FaceRates facePieces(const OpenSubdiv::Bfr::Parameterization& face, std::span<const Vec3> samples,
+                     double tolerance, const std::vector<bool>& hard);
 
 }  // namespace ew

@@ -142,7 +142,9 @@ void checkCorner(const Corner& corner, std::size_t subset, bool others, int segm
         const auto place = static_cast<std::size_t>(at - corner.edges.begin());
         const bool chosen =
             at == corner.edges.end() ? others && e % 3 == 0 : ((subset >> place) & 1U) != 0;
-        if (chosen) options.edges.push_back({static_cast<int>(e), 0.06 + 0.01 * (e % 4)});
+        if (chosen)
+            options.edges.push_back(
+                {static_cast<int>(e), 0.06 + 0.01 * static_cast<double>(e % 4)});
     }
     if (options.edges.empty()) return;
     const auto cage = fillet(corner.solid, options);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 
+#include "tests/support/random_modifications.h"
 #include "tests/surface/set_distance.h"
 #include "tests/surface/surface_fixture.h"
 
@@ -252,6 +253,35 @@ TEST(Subdivision, NormalsPointOutAndFollowTheTriangles) {
             }
         }
     }
+}
+
+TEST(Subdivision, PlanesKeepTheirNormalWhereTheirPiecesAreSlivers) {
+    // All points whose whole neighbourhood is one plane have its normal.
+    int points = 0;
+    for (std::uint64_t number = 0; number < 60; ++number) {
+        Random random(Random::mix(number, 5));
+        const Solid solid = randomModifiedSolid(8, random);
+        const double size = (solid.bounds()[1] - solid.bounds()[0]).norm();
+        const auto cage = fillet(solid, allEdges(solid, 0.02 * size, 2));
+        ASSERT_TRUE(cage);
+        const ControlCage control = controlOf(*cage);
+        SubdivisionOptions options;
+        options.levels = 2;
+        const SurfaceMesh surface = surfaceOf(control, options);
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+            const auto face = static_cast<std::size_t>(surface.origin[t]);
+            const CageOrigin& origin =
+                cage->origins[static_cast<std::size_t>(control.origin[face])];
+            if (origin.kind != CageOrigin::Kind::Face) continue;
+            const Vec3& normal = solid.faces()[static_cast<std::size_t>(origin.index)].normal;
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (std::abs(surface.normal(t, k).dot(normal)) < 1.0 - 1e-9) continue;
+                ++points;
+                EXPECT_GT(surface.normal(t, k).dot(normal), 0.0) << number;
+            }
+        }
+    }
+    EXPECT_GT(points, 10000);
 }
 
 TEST(Subdivision, SeveralShellsAreOneSurface) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
 
@@ -104,6 +105,50 @@ TEST_F(SurfacePanelTest, DraggingTheRadiusShowsItAndLettingGoMakesOneStep) {
     EXPECT_GT(document().state().surface.radius({0, 0}), radius);
     ASSERT_TRUE(document().undo());
     EXPECT_FALSE(document().shape()->hasCage());
+}
+
+TEST_F(SurfacePanelTest, ADragThatIsTooSlowIsShownCoarserUntilItRests) {
+    SubdivisionSettings fine;
+    fine.on = true;
+    fine.levels = 4;
+    surfaceController().commitSubdivision(fine);
+    surfaceController().settle();
+    auto* slider = find<QSlider>("radiusSlider");
+    const auto shown = [&] {
+        return window_->viewport().shownShape()->bodies[0].surface->triangles.size();
+    };
+    surfaceController().setStepBudget(0.0);  // no machine is that fast
+    slider->setSliderDown(true);
+    std::vector<std::size_t> counts;
+    for (const int value : {500, 510, 520}) {
+        slider->setValue(value);
+        surfaceController().settle();
+        counts.push_back(shown());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !surfaceController().waitsForFrame(); }));
+    }
+    EXPECT_EQ(counts[1], counts[0] / 4) << "a level less";
+    EXPECT_EQ(counts[2], counts[0] / 16);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == counts[0]; })) << "whole where it rests";
+    slider->setValue(530);
+    surfaceController().settle();
+    EXPECT_LT(shown(), counts[0]);
+    slider->setSliderDown(false);
+    surfaceController().settle();
+    EXPECT_EQ(shown(), counts[0]);
+    EXPECT_EQ(document().shape()->bodies[0].surface->triangles.size(), counts[0]);
+    EXPECT_EQ(document().state().surface.subdivision.levels, 4);
+
+    // A machine that has time to spare shows all of it.
+    surfaceController().setStepBudget(1e9);
+    slider->setSliderDown(true);
+    for (int value = 540; value < 545; ++value) {
+        slider->setValue(value);
+        surfaceController().settle();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !surfaceController().waitsForFrame(); }));
+    }
+    EXPECT_EQ(shown(), counts[0]);
+    slider->setSliderDown(false);
+    surfaceController().settle();
 }
 
 TEST_F(SurfacePanelTest, TooLargeARadiusListsTheClampedEdges) {

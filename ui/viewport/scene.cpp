@@ -227,6 +227,9 @@ Scene::Scene() : d_(std::make_unique<Private>()) {
     smooth->SetDiffuse(0.66);
     smooth->SetSpecular(0.10);
     smooth->SetSpecularPower(24.0);
+    // Bodies are closed: what faces away is always behind something, and half of the work.
+    look->BackfaceCullingOn();
+    smooth->BackfaceCullingOn();
     // Faces step back in depth by more than half the width of a line, so that an edge is whole even
     // where its face comes nearer from it.
     for (vtkPolyDataMapper* mapper : {d.facesMapper.Get(), d.surfacesMapper.Get()}) {

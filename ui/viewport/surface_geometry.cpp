@@ -3,8 +3,10 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -98,13 +100,24 @@ void addCageLines(const Body& body, const FilletedCage& cage, ShapeLines& out) {
 /// Edges of the triangles where both sides have their own normals.
 void addCreases(const Body& body, const SurfaceMesh& surface, LinePieces& out) {
     if (surface.normalTriangles.empty()) return;
+    // Most points have one normal, and no crease runs through these.
+    std::vector<int> normalOf(surface.positions.size(), -1);
+    std::vector<bool> several(surface.positions.size(), false);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto p = at(surface.triangles[t][k]);
+            const int n = surface.normalTriangles[t][k];
+            if (normalOf[p] >= 0 && normalOf[p] != n) several[p] = true;
+            normalOf[p] = n;
+        }
+    }
     std::unordered_map<std::uint64_t, std::array<int, 2>> seen;
-    seen.reserve(surface.triangles.size());
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const int a = surface.triangles[t][k];
             const int b = surface.triangles[t][next];
+            if (!several[at(a)] || !several[at(b)]) continue;
             const int na = surface.normalTriangles[t][k];
             const int nb = surface.normalTriangles[t][next];
             const auto twin = seen.find(key(b, a));
@@ -247,29 +260,70 @@ vtkSmartPointer<vtkPolyData> flatGeometry(const std::vector<Body>& bodies,
     return set.take();
 }
 
+namespace {
+
+/// Three numbers for each of `count` points, to be written in place.
+vtkSmartPointer<vtkFloatArray> triples(std::size_t count) {
+    auto out = vtkSmartPointer<vtkFloatArray>::New();
+    out->SetNumberOfComponents(3);
+    out->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    return out;
+}
+
+void write(float* to, std::size_t index, const Vec3& p) {
+    for (int k = 0; k < 3; ++k) to[3 * index + at(k)] = static_cast<float>(p[k]);
+}
+
+}  // namespace
+
 vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
                                             const DerivedShape& shape, const Vec3& origin) {
-    TriangleSet set;
+    std::size_t points = 0;
+    std::size_t triangles = 0;
+    for (const BodyShape& body : shape.bodies) {
+        if (!body.surface) continue;
+        points += body.surface->normals.size();
+        triangles += body.surface->triangles.size();
+    }
+    const auto positions = triples(points);
+    const auto normals = triples(points);
+    vtkNew<vtkTypeInt32Array> corners;
+    corners->SetNumberOfValues(static_cast<vtkIdType>(3 * triangles));
+    std::size_t base = 0;
+    std::size_t corner = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (!shape.bodies[b].surface) continue;
-        const ShapeMesh mesh = shapeMesh(bodies[b], shape.bodies[b]);
-        const auto& corners = mesh.normalTriangles.empty() ? mesh.triangles : mesh.normalTriangles;
-        std::unordered_map<std::uint64_t, vtkIdType> pairs;
-        pairs.reserve(mesh.normals.size());
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            std::array<vtkIdType, 3> ids{};
+        const SurfaceMesh& mesh = *shape.bodies[b].surface;
+        const Pose& pose = bodies[b].pose;
+        const bool own = mesh.normalTriangles.empty();
+        // A normal belongs to one point, a point may have several.
+        const auto& ids = own ? mesh.triangles : mesh.normalTriangles;
+        for (std::size_t t = 0; t < ids.size(); ++t) {
             for (std::size_t k = 0; k < 3; ++k) {
-                const int p = mesh.triangles[t][k];
-                const int n = corners[t][k];
-                const auto [it, isNew] = pairs.try_emplace(key(p, n), 0);
-                if (isNew)
-                    it->second = set.add(mesh.positions[at(p)] - origin, mesh.normals[at(n)]);
-                ids[k] = it->second;
+                const auto id = base + at(ids[t][k]);
+                corners->SetValue(static_cast<vtkIdType>(corner++), static_cast<int>(id));
+                if (own) continue;
+                const Vec3& p = mesh.positions[at(mesh.triangles[t][k])];
+                write(positions->GetPointer(0), id, pose.toWorld(p) - origin);
             }
-            set.cells->InsertNextCell(3, ids.data());
         }
+        for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+            const Vec3 n = pose.directionToWorld(mesh.normals[i]);
+            write(normals->GetPointer(0), base + i, n);
+            if (!own) continue;
+            write(positions->GetPointer(0), base + i, pose.toWorld(mesh.positions[i]) - origin);
+        }
+        base += mesh.normals.size();
     }
-    return set.take();
+    vtkNew<vtkPoints> place;
+    place->SetData(positions);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(3, corners);
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(place);
+    data->SetPolys(cells);
+    data->GetPointData()->SetNormals(normals);
+    return data;
 }
 
 // Ribbons

@@ -155,6 +155,10 @@ void ViewportWidget::setPreview(std::optional<ShapePreview> preview) {
     update();
 }
 
+std::shared_ptr<const DerivedShape> ViewportWidget::shownShape() const {
+    return d_->preview ? d_->preview->shape : d_->document.shape();
+}
+
 void ViewportWidget::setChosenEdges(const std::vector<EdgeRef>& edges) {
     d_->chosen = edges;
     update();
@@ -164,7 +168,7 @@ void ViewportWidget::showShape() {
     Private& d = *d_;
     d.shapeStale = false;
     const DocumentState& state = d.document.state();
-    d.scene.setShape(state.bodies, d.preview ? d.preview->shape : d.document.shape(), state.mapped);
+    d.scene.setShape(state.bodies, shownShape(), state.mapped);
 }
 
 void ViewportWidget::setReadingVisible(bool on) {

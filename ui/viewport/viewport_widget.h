@@ -40,6 +40,8 @@ class ViewportWidget : public QOpenGLWidget {
     /// Shows another shape of the document's bodies than the document's own; nothing: its own
     /// again. Gone as soon as the document's shape changes.
     void setPreview(std::optional<ShapePreview> preview);
+    /// What is shown: the preview or, without one, the document's own shape.
+    std::shared_ptr<const DerivedShape> shownShape() const;
     /// Edges that are marked as chosen.
     void setChosenEdges(const std::vector<EdgeRef>& edges);
 

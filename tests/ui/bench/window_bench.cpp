@@ -5,19 +5,23 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTabletEvent>
 #include <QTest>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 
 #include "core/document/document.h"
+#include "core/document/replay.h"
 #include "core/document/resources.h"
 #include "ui/app_setup.h"
 #include "ui/apply_controller.h"
 #include "ui/live_reading.h"
 #include "ui/main_window.h"
+#include "ui/surface_controller.h"
 #include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
 #include "ui/viewport/viewport_widget.h"
@@ -135,6 +139,63 @@ BENCHMARK(frameWhileOrbiting)
     ->Arg(0)
     ->Arg(12)
     ->Arg(200)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(100);
+
+/// Replays an example; false where it cannot be.
+bool openExample(const char* name) {
+    const auto folder = ew::resourcesFolder();
+    if (!folder) return false;
+    QFile file(*folder + QStringLiteral("/examples/") + QLatin1String(name));
+    if (!file.open(QIODevice::ReadOnly)) return false;
+    const auto script = ew::readSketchScript(file.readAll().toStdString());
+    if (!script) return false;
+    return ew::replay(window->document(), *script, {}).firstFailure() == nullptr;
+}
+
+/// The radius of all edges of the printer is dragged: fillet, surface and a whole frame a step, one
+/// after the other although the window derives the next one while it draws the last. Limit: 30
+/// steps a second in software OpenGL. all_threads_ms is the time of all processors, which other
+/// programs disturb less. \param levels  of the surface, 0: the filleted cage alone.
+void radiusDrag(benchmark::State& state) {
+    if (!openExample("printer.json")) {
+        state.SkipWithError("the example does not replay");
+        return;
+    }
+    ew::SubdivisionSettings surface = window->document().state().surface.subdivision;
+    surface.on = state.range(0) > 0;
+    surface.levels = static_cast<int>(state.range(0));
+    if (!window->document().subdivide(surface)) state.SkipWithError("no such surface");
+    QApplication::processEvents();
+    const ew::SurfaceSettings settings = window->document().state().surface;
+    const double radius = settings.radius({0, 0});
+    PaintCounter counter;
+    drawFrame();
+    int i = 0;
+    double frame = 0.0;
+    const std::clock_t begin = std::clock();
+    for (auto _ : state) {
+        // Radii that no cache knows.
+        window->surface().previewFillet(radius * (0.5 + 0.002 * ++i), settings.segments);
+        window->surface().settle();
+        QElapsedTimer clock;
+        clock.start();
+        drawFrame();
+        frame += static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    }
+    const double all = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    if (counter.paints < state.iterations()) state.SkipWithError("frames were left out");
+    state.counters["frame_ms"] = benchmark::Counter(frame, benchmark::Counter::kAvgIterations);
+    state.counters["all_threads_ms"] = benchmark::Counter(all, benchmark::Counter::kAvgIterations);
+    window->document().reset();
+    QApplication::processEvents();
+}
+BENCHMARK(radiusDrag)
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(3)
+    ->ArgName("levels")
     ->Unit(benchmark::kMillisecond)
     ->Iterations(100);
 
