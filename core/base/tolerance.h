@@ -232,6 +232,9 @@ inline constexpr double kSecondLookCost = 2.0;
 /// Hands miss corners by more than their lines wobble: line ends are off by about this many times
 /// the wobble.
 inline constexpr double kMissPerWobble = 2.5;
+/// ... and no hand that wobbles at all misses by less than this [px], or so many times its wobble.
+inline constexpr double kMissAtLeastPx = 1.5;
+inline constexpr double kMissPerSteadyWobble = 8.0;
 /// Two line ends that aim at one point lie this many times as far apart, per axis, as this hand's
 /// lines wobble.
 inline constexpr double kSpreadPerWobble = 3.6;

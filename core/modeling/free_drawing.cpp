@@ -177,7 +177,7 @@ class Pipeline {
         for (const Reading& r : readings_) {
             if (!r.graph.empty()) noise = std::min(noise, drawingNoisePx(r.graph));
         }
-        const double hand = tol::kMissPerWobble * ink_.wobblePx;
+        const double hand = handNoisePx(ink_);
         return std::isfinite(noise) ? std::max(noise, hand) : std::max(1.0, hand);
     }
 

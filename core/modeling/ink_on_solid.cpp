@@ -21,6 +21,11 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double pas
 
 }  // namespace
 
+double handNoisePx(const InkReading& ink) {
+    return std::max(tol::kMissPerWobble * ink.wobblePx,
+                    std::min(tol::kMissAtLeastPx, tol::kMissPerSteadyWobble * ink.wobblePx));
+}
+
 double endSpread(const std::vector<Segment>& segments, double distancePx) {
     std::vector<double> squares;
     for (std::size_t i = 0; i < segments.size(); ++i) {

@@ -10,6 +10,11 @@
 
 namespace ew {
 
+/// How far lines of this hand miss what they are meant to meet, told by their wobble alone [px]:
+/// short lines hide a part of it, and corners are missed by more than lines wobble. Next to nothing
+/// for an exact drawing.
+double handNoisePx(const InkReading& ink);
+
 /// Standard deviation per axis of where strokes end that aim at one place, by the ends of different
 /// strokes that lie together [px]; 0 where none do.
 double endSpread(const std::vector<Segment>& segments, double distancePx);

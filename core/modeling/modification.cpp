@@ -48,8 +48,8 @@ class Modification {
           index_(onSolidIndex(library.index())),
           options_(options),
           distance_(options.thresholds.distancePx) {
-        noise_ = std::max({tol::kNoiseFloorPx, tol::kMissPerWobble * ink.wobblePx,
-                           endSpread(ink.segments, distance_)});
+        noise_ =
+            std::max({tol::kNoiseFloorPx, handNoisePx(ink), endSpread(ink.segments, distance_)});
         spread_ = tol::kSpreadPerWobble / tol::kMissPerWobble * noise_;
     }
 
