@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr std::size_t kMostSteps = 60;
+constexpr std::size_t kMostSteps = 40;
 constexpr std::size_t kSurfaceBytes = std::size_t{8} << 20U;  // a few levels of subdivision
 
 void demand(bool kept) {
