@@ -23,11 +23,17 @@ namespace {
 constexpr int kSmallest = 16;
 constexpr int kLargest = 16384;
 constexpr int kTilePx = 2048;
-constexpr int kOcclusionSamples = 64;
+constexpr int kOcclusionSamples = 128;
 constexpr int kOcclusionLargest = 4096;  // drawn in one piece
 
 const ThemeColours& coloursOf(const PictureLook& look) {
     return look.dark ? darkColours() : lightColours();
+}
+
+/// How many px are drawn for one of a picture with occlusion, each way: the more the smoother.
+int finerBy(int mostPx) {
+    if (3 * mostPx <= kOcclusionLargest / 2) return 3;
+    return 2 * mostPx <= kOcclusionLargest ? 2 : 1;
 }
 
 /// Draws a part of the picture. \param finer  px that are drawn for one of the picture, each way.
@@ -81,7 +87,7 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
     // Occlusion has no samples within a px, and comes from everything around.
     const int most = std::max(size.width(), size.height());
     const int step = look.occlusion ? most : kTilePx;
-    const int finer = look.occlusion && 2 * most <= kOcclusionLargest ? 2 : 1;
+    const int finer = look.occlusion ? finerBy(most) : 1;
     for (int y = 0; drawn && y < size.height(); y += step) {
         for (int x = 0; drawn && x < size.width(); x += step) {
             const QRect tile = all & QRect(x, y, step, step);
