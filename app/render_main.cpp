@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // edgewright-render DOCUMENT PICTURE.png WxH [LOOK...] [TEMPLATES]: draws the viewport of a
 // document, read with the templates of a folder or the usual ones. LOOK is any of --transparent,
-// --cage, --hidden-edges, --dark. Needs a display; edgewright-replay starts it for --screenshot.
+// --cage, --hidden-edges, --dark, --occlusion. Needs a display; edgewright-replay starts it for --screenshot.
 // Exit 0: drawn; 2: cannot be drawn; 3: cannot be written.
 #include <QApplication>
 #include <cstdio>

@@ -1802,6 +1802,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>&amp;Verdeckte Kanten</translation>
     </message>
     <message>
+        <source>Soft s&amp;hadows</source>
+        <translation>Weiche &amp;Schatten</translation>
+    </message>
+    <message>
+        <source>Soft shadows in corners; slow without a graphics card</source>
+        <translation>Weiche Schatten in Ecken; langsam ohne Grafikkarte</translation>
+    </message>
+    <message>
         <source>Show &amp;reading</source>
         <translation>&amp;Lesart zeigen</translation>
     </message>

@@ -234,6 +234,8 @@ void MainWindow::restore() {
     apply_->setAutomatic(settings.value(QStringLiteral("sketch/automatic"), true).toBool());
     views_->gridAction->setChecked(settings.value(QStringLiteral("view/grid"), true).toBool());
     views_->hiddenAction->setChecked(settings.value(QStringLiteral("view/hidden"), false).toBool());
+    views_->occlusionAction->setChecked(
+        settings.value(QStringLiteral("view/occlusion"), false).toBool());
     views_->readingAction->setChecked(
         settings.value(QStringLiteral("view/reading"), true).toBool());
 }
@@ -247,6 +249,7 @@ void MainWindow::remember() const {
     settings.setValue(QStringLiteral("sketch/automatic"), apply_->automatic());
     settings.setValue(QStringLiteral("view/grid"), views_->gridAction->isChecked());
     settings.setValue(QStringLiteral("view/hidden"), views_->hiddenAction->isChecked());
+    settings.setValue(QStringLiteral("view/occlusion"), views_->occlusionAction->isChecked());
     settings.setValue(QStringLiteral("view/reading"), views_->readingAction->isChecked());
 }
 

@@ -8,10 +8,9 @@ namespace ew {
 namespace {
 
 constexpr std::pair<const char*, bool PictureLook::*> kLookOptions[] = {
-    {"--transparent", &PictureLook::transparent},
-    {"--cage", &PictureLook::cage},
-    {"--hidden-edges", &PictureLook::hiddenEdges},
-    {"--dark", &PictureLook::dark},
+    {"--transparent", &PictureLook::transparent},  {"--cage", &PictureLook::cage},
+    {"--hidden-edges", &PictureLook::hiddenEdges}, {"--dark", &PictureLook::dark},
+    {"--occlusion", &PictureLook::occlusion},
 };
 
 constexpr int kLeastPicturePx = 16;
@@ -178,6 +177,7 @@ QString replayHelp() {
         "  --cage                 the cage over the surface in the picture\n"
         "  --hidden-edges         hidden edges as dashes in the picture\n"
         "  --dark                 the picture in the colours of the dark theme\n"
+        "  --occlusion            corners and hollows darker in the picture, as under an even sky\n"
         "  --until STEP           stop before a step: its index, or its name and which of that\n"
         "                         name it is, as in apply:3 (fillet is the first fillet)\n"
         "  --report FILE.json     write the report\n"

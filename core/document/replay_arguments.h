@@ -16,10 +16,11 @@ struct PictureLook {
     bool cage = false;         ///< the cage is shown over surfaces
     bool hiddenEdges = false;  ///< as dashes
     bool dark = false;         ///< colours of the dark theme
+    bool occlusion = false;    ///< corners and hollows are darker, as under an even sky
     bool operator==(const PictureLook&) const = default;
 };
 
-/// Sets what one of --transparent, --cage, --hidden-edges, --dark stands for; false where the name
+/// Sets what one of --transparent, --cage, --hidden-edges, --dark, --occlusion stands for; false where the name
 /// is none of them.
 bool readLookOption(const QString& name, PictureLook& look);
 /// The options that set a look.

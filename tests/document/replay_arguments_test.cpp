@@ -30,7 +30,7 @@ TEST(ReplayArguments, ReadsHowThePictureLooks) {
     EXPECT_TRUE(a->look.transparent && a->look.hiddenEdges);
     EXPECT_FALSE(a->look.cage || a->look.dark);
     EXPECT_EQ(lookOptions(a->look), (QStringList{"--transparent", "--hidden-edges"}));
-    for (const QString& option : lookOptions({true, true, true, true})) {
+    for (const QString& option : lookOptions({true, true, true, true, true})) {
         EXPECT_TRUE(replayHelp().contains(option)) << option.toStdString();
     }
 }

@@ -6,6 +6,9 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "core/document/replay.h"
+#include "core/document/sketch_script.h"
+#include "core/document/store.h"
 #include "ui/theme/colours.h"
 #include "ui/viewport/offscreen.h"
 #include "ui/viewport/sketch_plane.h"
@@ -37,6 +40,19 @@ std::unique_ptr<Document> boxDocument() {
         {at(1, 1, 0), at(1, 0, 0)}, {at(1, 0, 0), at(0, 0, 0)}, {at(0, 0, 0), at(0, 0, 1)}};
     for (const auto& line : lines) EXPECT_TRUE(document->addStroke(straight(line[0], line[1])));
     EXPECT_TRUE(document->apply());
+    return document;
+}
+
+/// A document in which an example was replayed.
+std::unique_ptr<Document> example(const std::string& name) {
+    const std::string folder = std::string(EDGEWRIGHT_SOURCE_DIR) + "/resources/";
+    auto load = loadLibrary(folder + "templates");
+    EXPECT_TRUE(load);
+    auto document = std::make_unique<Document>(load->library);
+    const auto text = readFileBytes(QString::fromStdString(folder + "examples/" + name + ".json"),
+                                    kMaxScriptBytes);
+    EXPECT_TRUE(text);
+    EXPECT_EQ(replay(*document, *readSketchScript(*text), {}).firstFailure(), nullptr);
     return document;
 }
 
@@ -90,6 +106,36 @@ TEST_F(SurfacePicture, ASolidHasDarkEdgesAndASurfaceHasNone) {
     // Edges that stay sharp are lines again.
     ASSERT_TRUE(document_->sharpen({EdgeChoice::Which::Picked, {{0, 0}, {0, 1}, {0, 2}, {0, 3}}}));
     EXPECT_GT(count(picture(), lightColours().bodyEdge), solid / 10);
+}
+
+TEST_F(SurfacePicture, OcclusionDarkensHollowsAndNothingElse) {
+    PictureLook look;
+    look.occlusion = true;
+    const auto darker = [&](const QImage& plain, const QImage& shadowed, int by) {
+        int n = 0;
+        for (int y = 0; y < plain.height(); ++y) {
+            for (int x = 0; x < plain.width(); ++x) {
+                n += qGray(plain.pixel(x, y)) - qGray(shadowed.pixel(x, y)) >= by;
+            }
+        }
+        return n;
+    };
+    document_ = example("mouse");
+    const QSize size(640, 400);
+    const QImage plain = picture(size);
+    const QImage shadowed = picture(size, look);
+    ASSERT_EQ(plain.size(), shadowed.size());
+    // The slot of the wheel and the hollow for the finger, a small part of the picture.
+    EXPECT_GT(darker(plain, shadowed, 12), 400);
+    EXPECT_LT(darker(plain, shadowed, 12), plain.width() * plain.height() / 10);
+    EXPECT_LT(darker(shadowed, plain, 12), plain.width() * plain.height() / 100);
+    const auto large = renderScreenshot(*document_, folder_.filePath("l.png"), {4097, 100}, look);
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().code, Errc::BadValue);
+    // What is outside of the bodies stays as it is.
+    for (const QPoint& p : {QPoint(5, 5), QPoint(634, 5), QPoint(634, 394)}) {
+        EXPECT_LT(std::abs(qGray(plain.pixel(p)) - qGray(shadowed.pixel(p))), 12);
+    }
 }
 
 TEST_F(SurfacePicture, ASurfaceIsShadedSmoothly) {

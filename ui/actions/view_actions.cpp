@@ -31,6 +31,7 @@ ViewActions::ViewActions(const WindowContext& context, QWidget* window)
       gridAction(new QAction(themedIcon("grid"), tr("&Grid"), this)),
       hiddenAction(new QAction(themedIcon("hidden-edges"), tr("&Hidden edges"), this)),
       readingAction(new QAction(themedIcon("reading"), tr("Show &reading"), this)),
+      occlusionAction(new QAction(tr("Soft s&hadows"), this)),
       context_(context) {
     struct Entry {
         StandardView view;
@@ -64,6 +65,8 @@ ViewActions::ViewActions(const WindowContext& context, QWidget* window)
     hiddenAction->setToolTip(tr("Hidden edges as dashes (D)"));
     readingAction->setShortcut(QKeySequence(QStringLiteral("R")));
     readingAction->setToolTip(tr("Show in the drawing what is read from it (R)"));
+    occlusionAction->setToolTip(tr("Soft shadows in corners; slow without a graphics card"));
+    occlusionAction->setCheckable(true);
     gridAction->setCheckable(true);
     hiddenAction->setCheckable(true);
     readingAction->setCheckable(true);
@@ -76,6 +79,9 @@ ViewActions::ViewActions(const WindowContext& context, QWidget* window)
             &ViewportWidget::setHiddenEdgesVisible);
     connect(readingAction, &QAction::toggled, &context_.viewport,
             &ViewportWidget::setReadingVisible);
+    occlusionAction->setChecked(context_.viewport.occlusionVisible());
+    connect(occlusionAction, &QAction::toggled, &context_.viewport,
+            &ViewportWidget::setOcclusionVisible);
 }
 
 void ViewActions::fill(QMenu* menu) {
@@ -86,6 +92,7 @@ void ViewActions::fill(QMenu* menu) {
     menu->addAction(gridAction);
     menu->addAction(hiddenAction);
     menu->addAction(readingAction);
+    menu->addAction(occlusionAction);
     menu->addSeparator();
     fillTheme(menu->addMenu(tr("T&heme")));
 }

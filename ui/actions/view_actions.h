@@ -31,6 +31,7 @@ class ViewActions : public QObject {
     QAction* gridAction;
     QAction* hiddenAction;
     QAction* readingAction;
+    QAction* occlusionAction;
 
   private:
     void fillTheme(QMenu* menu);

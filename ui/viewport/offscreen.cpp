@@ -7,6 +7,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QSaveFile>
+#include <algorithm>
 
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/frame_renderer.h"
@@ -22,19 +23,33 @@ namespace {
 constexpr int kSmallest = 16;
 constexpr int kLargest = 16384;
 constexpr int kTilePx = 2048;
+constexpr int kOcclusionSamples = 128;
+constexpr int kOcclusionLargest = 4096;  // drawn in one piece
 
 const ThemeColours& coloursOf(const PictureLook& look) {
     return look.dark ? darkColours() : lightColours();
 }
 
-/// Draws a part of the picture. \return false where OpenGL cannot.
-bool drawTile(FrameRenderer& renderer, const QRect& tile, const PictureLook& look, QImage& image) {
-    renderer.resize(tile.size(), 1.0);
-    QOpenGLFramebufferObject target(tile.size(), QOpenGLFramebufferObject::CombinedDepthStencil);
+/// How many px are drawn for one of a picture with occlusion, each way: the more the smoother.
+int finerBy(int mostPx) {
+    if (3 * mostPx <= kOcclusionLargest / 2) return 3;
+    return 2 * mostPx <= kOcclusionLargest ? 2 : 1;
+}
+
+/// Draws a part of the picture. \param finer  px that are drawn for one of the picture, each way.
+/// \return false where OpenGL cannot.
+bool drawTile(FrameRenderer& renderer, const QRect& tile, int finer, const PictureLook& look,
+              QImage& image) {
+    const QSize size = tile.size() * finer;
+    renderer.resize(size, finer);
+    QOpenGLFramebufferObject target(size, QOpenGLFramebufferObject::CombinedDepthStencil);
     if (!target.isValid()) return false;
     renderer.render(target.handle(), look.transparent);
-    const QImage drawn = target.toImage();
+    QImage drawn = target.toImage();
     if (drawn.isNull()) return false;
+    if (finer > 1) {
+        drawn = drawn.scaled(tile.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    }
     QPainter painter(&image);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
     painter.drawImage(tile.topLeft(), drawn);
@@ -54,6 +69,7 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
     scene.setTransparent(look.transparent);
     scene.setCageVisible(look.cage);
     scene.setHiddenEdgesVisible(look.hiddenEdges);
+    scene.setOcclusion(look.occlusion ? kOcclusionSamples : 0);
     scene.setShape(document.state().bodies, document.shape(), document.state().mapped);
     scene.setCamera(camera);
     FrameRenderer renderer(
@@ -68,11 +84,15 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
     bool drawn = !image.isNull();
     // Piece by piece: a large picture with several samples a pixel would not fit the card.
     const QRect all(QPoint(0, 0), size);
-    for (int y = 0; drawn && y < size.height(); y += kTilePx) {
-        for (int x = 0; drawn && x < size.width(); x += kTilePx) {
-            const QRect tile = all & QRect(x, y, kTilePx, kTilePx);
+    // Occlusion has no samples within a px, and comes from everything around.
+    const int most = std::max(size.width(), size.height());
+    const int step = look.occlusion ? most : kTilePx;
+    const int finer = look.occlusion ? finerBy(most) : 1;
+    for (int y = 0; drawn && y < size.height(); y += step) {
+        for (int x = 0; drawn && x < size.width(); x += step) {
+            const QRect tile = all & QRect(x, y, step, step);
             scene.setTile(tile);
-            drawn = drawTile(renderer, tile, look, image);
+            drawn = drawTile(renderer, tile, finer, look, image);
         }
     }
     renderer.finish();
@@ -110,6 +130,10 @@ Result<void> renderScreenshot(const Document& document, const QString& path, QSi
     if (size.width() < kSmallest || size.height() < kSmallest || size.width() > kLargest ||
         size.height() > kLargest) {
         return fail(Errc::BadValue, "A picture must be 16 to 16384 pixels wide and high.");
+    }
+    if (look.occlusion && std::max(size.width(), size.height()) > kOcclusionLargest) {
+        return fail(Errc::BadValue,
+                    "A picture with occlusion must be at most 4096 pixels wide and high.");
     }
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) {
         return fail(Errc::NotAvailable, "A picture needs a display.");

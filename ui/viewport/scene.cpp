@@ -8,7 +8,9 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
 
 #include <algorithm>
 
@@ -29,7 +31,9 @@ constexpr double kGridWidthPx = 1.0;
 constexpr double kEdgeLiftPx = 3.0;    // of depth
 constexpr double kRibbonLiftPx = 2.0;  // under the edges
 constexpr double kDashPx = 7.0;
-constexpr double kSoftShare = 0.55;  // of the body's colour in quiet lines
+constexpr double kSoftShare = 0.55;      // of the body's colour in quiet lines
+constexpr double kOcclusionReach = 0.2;  // how far corners darken, in reaches of the bodies
+constexpr double kOcclusionBias = 0.02;  // nearer than this nothing casts, or flat faces would
 // Dashes are cut anew when the scale differs by more than this factor.
 constexpr double kDashSlack = 1.25;
 
@@ -46,6 +50,8 @@ void makeUnlit(vtkActor* actor) {
 
 struct Scene::Private {
     vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkSSAOPass> occlusion;
     vtkNew<vtkActor> grid;
     vtkNew<vtkActor> faces;
     vtkNew<vtkActor> surfaces;
@@ -80,6 +86,7 @@ struct Scene::Private {
     double reach = 1.0;  // of the bodies from the origin
     double dashMm = 0.0;
     double scale = 1.0;
+    int occlusionSamples = 0;
     QRect tile;
     bool gridVisible = true;
     bool hiddenVisible = false;
@@ -137,6 +144,15 @@ struct Scene::Private {
         }
         const Vec3 lift = nearer * (kRibbonLiftPx / kEdgeLiftPx);
         ribbons->SetPosition(lift.x(), lift.y(), lift.z());
+    }
+
+    void updateOcclusion() {
+        if (occlusionSamples > 0) {
+            occlusion->SetRadius(kOcclusionReach * reach);
+            occlusion->SetBias(kOcclusionBias * reach);
+            occlusion->SetKernelSize(static_cast<unsigned>(occlusionSamples));
+        }
+        renderer->SetPass(occlusionSamples > 0 ? occlusion.Get() : nullptr);
     }
 
     void updateRibbons() {
@@ -238,6 +254,8 @@ Scene::Scene() : d_(std::make_unique<Private>()) {
     }
     d.gridMapper->SetScalarModeToUsePointData();
     d.ribbonsMapper->SetScalarModeToUsePointData();
+    d.occlusion->SetDelegatePass(d.steps);
+    d.occlusion->BlurOn();
     d.renderer->AutomaticLightCreationOff();
     d.addLight(-0.4, 0.85, 0.9, 0.85);
     d.addLight(0.9, -0.1, 0.6, 0.14);
@@ -275,6 +293,7 @@ void Scene::setShape(const std::vector<Body>& bodies, std::shared_ptr<const Deri
     d.surfaces->SetVisibility(d.shape->hasSurface());
     d.edges->SetVisibility(!d.crisp.empty());
     d.soft->SetVisibility(!lines.soft.empty());
+    d.updateOcclusion();
     d.updateCage();
     d.updateChosen();
     d.dashMm = 0.0;
@@ -325,6 +344,13 @@ void Scene::setHiddenEdgesVisible(bool on) {
     if (on == d_->hiddenVisible) return;
     d_->hiddenVisible = on;
     d_->updateDashes();
+    d_->changed = true;
+}
+
+void Scene::setOcclusion(int samples) {
+    if (samples == d_->occlusionSamples) return;
+    d_->occlusionSamples = samples;
+    d_->updateOcclusion();
     d_->changed = true;
 }
 

@@ -16,7 +16,7 @@ namespace ew {
 /// What VTK draws: flat-shaded solids and filleted cages with crisp edges (edges between planar
 /// faces only, never what triangulation brought in), surfaces with their smooth normals and their
 /// creases, strokes on them, hidden edges dashed and the cage over the surface on demand, a quiet
-/// ground grid under everything. A setter that changes nothing costs nothing and does not ask for a
+/// ground grid under everything. Ambient occlusion on demand. A setter that changes nothing costs nothing and does not ask for a
 /// new picture.
 class Scene {
   public:
@@ -40,6 +40,9 @@ class Scene {
     void setColours(const ThemeColours& colours);
     void setGridVisible(bool on);
     void setHiddenEdgesVisible(bool on);
+    /// Ambient occlusion: corners and hollows are darker, as under an even sky. \param samples  a
+    /// pixel, the more the smoother and the slower; 0: off.
+    void setOcclusion(int samples);
     /// Device pixels per logical pixel, for line widths.
     void setScale(double devicePixelRatio);
 

@@ -53,6 +53,7 @@ struct ViewportWidget::Private {
     bool hoverErases = false;
     bool grid = true;
     bool hidden = false;
+    bool occlusion = false;
     bool readingShown = true;
     bool overlayStale = true;
     bool shapeStale = true;
@@ -137,6 +138,15 @@ void ViewportWidget::setGridVisible(bool on) {
 void ViewportWidget::setHiddenEdgesVisible(bool on) {
     d_->hidden = on;
     d_->scene.setHiddenEdgesVisible(on);
+    update();
+}
+
+bool ViewportWidget::occlusionVisible() const { return d_->occlusion; }
+
+void ViewportWidget::setOcclusionVisible(bool on) {
+    constexpr int kSamples = 32;  // a frame is to be quick
+    d_->occlusion = on;
+    d_->scene.setOcclusion(on ? kSamples : 0);
     update();
 }
 

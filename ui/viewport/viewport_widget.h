@@ -35,6 +35,7 @@ class ViewportWidget : public QOpenGLWidget {
     bool gridVisible() const;
     bool hiddenEdgesVisible() const;
     bool readingVisible() const;
+    bool occlusionVisible() const;
     bool cageVisible() const;
 
     /// Shows another shape of the document's bodies than the document's own; nothing: its own
@@ -52,6 +53,7 @@ class ViewportWidget : public QOpenGLWidget {
     void setGridVisible(bool on);
     void setHiddenEdgesVisible(bool on);
     void setReadingVisible(bool on);
+    void setOcclusionVisible(bool on);
     void setCageVisible(bool on);
 
   signals:
