@@ -142,7 +142,7 @@ std::span<const Vec3> SurfaceEvaluator::measure(int face) {
     }
     std::vector<double>& weights = sampleWeights_[at(index)];
     if (weights.empty()) {
-        if (!surface_.selectCoarse(face) || !learn(face)) return {};
+        if (!surface_.select(face) || !learn(face)) return {};
         const std::size_t n = control_[at(index)].size();
         weights.resize(n * coords.size());
         for (std::size_t i = 0; i < coords.size(); ++i) {
