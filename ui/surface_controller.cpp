@@ -94,7 +94,7 @@ void SurfaceController::start() {
 }
 
 void SurfaceController::show(const Derived& derived) {
-    viewport_.setPreview(ShapePreview{derived.shape});
+    viewport_.setPreview(ShapePreview{derived.shape, derived.coarser.value_or(0) > 0});
     unseen_ = derived;
     sinceShown_.start();
 }

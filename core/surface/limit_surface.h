@@ -27,6 +27,8 @@ class LimitSurface {
     /// The same for measuring only: patches beside extraordinary points are those of two levels,
     /// which take a fraction of the time.
     bool selectCoarse(int face) { return select(face, *coarse_); }
+    /// One bicubic patch (or Loop's triangle) without an extraordinary point or a crease.
+    bool regular() const { return surface_.IsRegular(); }
     Vec3 position(double u, double v) const;
     void evaluate(double u, double v, Vec3& position, Vec3& du, Vec3& dv) const;
     /// Points of the cage that the selected face depends on.

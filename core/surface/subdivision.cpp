@@ -97,12 +97,12 @@ class Tessellator {
         innerRates_.resize(at(cage_.mesh.faceCount()));
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
             const auto samples = evaluator_.measure(f);
-            if (samples.empty()) return noSurface(f);
+            if (samples.points.empty()) return noSurface(f);
             const auto sides = edges_.of(f);
             hard_.clear();
             for (const int side : sides) hard_.push_back(edges_.hard(side));
-            const FaceRates rates =
-                facePieces(evaluator_.parameterization(f), samples, options_.tolerance, hard_);
+            const FaceRates rates = facePieces(evaluator_.parameterization(f), samples.points,
+                                               samples.regular, options_.tolerance, hard_);
             const auto whole = [&](double r) {
                 return static_cast<int>(std::ceil(std::clamp(r, 1.0, kMost)));
             };

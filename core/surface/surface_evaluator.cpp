@@ -36,6 +36,7 @@ SurfaceEvaluator::SurfaceEvaluator(const ControlCage& cage, const CageEdges& edg
       classes_(cage, edges),
       control_(at(classes_.count())),
       sampleWeights_(at(classes_.count())),
+      regular_(at(classes_.count()), false),
       budget_(kMostWeights) {}
 
 Parameterization SurfaceEvaluator::parameterization(int face) const {
@@ -129,7 +130,7 @@ const std::vector<Vec2>& SurfaceEvaluator::samples(int face) {
     return out;
 }
 
-std::span<const Vec3> SurfaceEvaluator::measure(int face) {
+SurfaceEvaluator::Samples SurfaceEvaluator::measure(int face) {
     const std::vector<Vec2>& coords = samples(face);
     measured_.resize(coords.size());
     const int index = classes_.of(face);
@@ -138,11 +139,12 @@ std::span<const Vec3> SurfaceEvaluator::measure(int face) {
         for (std::size_t i = 0; i < coords.size(); ++i) {
             measured_[i] = surface_.position(coords[i].x(), coords[i].y());
         }
-        return measured_;
+        return {measured_, surface_.regular()};
     }
     std::vector<double>& weights = sampleWeights_[at(index)];
     if (weights.empty()) {
         if (!surface_.selectCoarse(face) || !learn(face)) return {};
+        regular_[at(index)] = surface_.regular();
         const std::size_t n = control_[at(index)].size();
         weights.resize(n * coords.size());
         for (std::size_t i = 0; i < coords.size(); ++i) {
@@ -156,7 +158,7 @@ std::span<const Vec3> SurfaceEvaluator::measure(int face) {
         for (const Point4& point : points_) p += *w++ * point;
         out = p.head<3>();
     }
-    return measured_;
+    return {measured_, regular_[at(index)]};
 }
 
 }  // namespace ew

@@ -35,9 +35,13 @@ class SurfaceEvaluator {
     /// the face has no surface.
     bool evaluate(std::size_t i, Vec3& position, Vec3& normal);
 
+    struct Samples {
+        std::span<const Vec3> points;  ///< empty where the face has no surface
+        bool regular = false;          ///< LimitSurface::regular()
+    };
     /// The surface at the places that facePieces() wants, for measuring only: patches beside
-    /// extraordinary points are those of two levels. Empty where the face has no surface.
-    std::span<const Vec3> measure(int face);
+    /// extraordinary points are those of two levels.
+    Samples measure(int face);
 
   private:
     /// x, y, z and a zero: twice two numbers are one operation each.
@@ -54,6 +58,7 @@ class SurfaceEvaluator {
     FaceClasses classes_;
     std::vector<std::vector<int>> control_;  ///< by class: places of the control points in the hull
     std::vector<std::vector<double>> sampleWeights_;  ///< by class
+    std::vector<bool> regular_;                       ///< by class, where there are such weights
     std::map<int, std::vector<Vec2>> samples_;        ///< by number of corners
     std::size_t budget_;                              ///< left for weights [numbers]
 

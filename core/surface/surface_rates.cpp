@@ -82,9 +82,7 @@ class Grid {
 /// Pieces along u and v so that (uu / nu^2 + 2 uv / (nu nv) + vv / nv^2) / 8 <= tolerance, with the
 /// fewest cells.
 std::array<double, 2> pieces(const Vec3& bend, double tolerance) {
-    // Samples miss the extreme bend by a little; this much is kept in hand.
-    constexpr double kReserve = 1.15;
-    const double limit = 8.0 * tolerance / kReserve;
+    const double limit = 8.0 * tolerance;
     const double ratio = std::clamp(
         std::sqrt((bend[0] + 1e-3 * bend[2]) / (bend[1] + 1e-3 * bend[2] + 1e-300)), 0.1, 10.0);
     const double a = (bend[0] + bend[2] * ratio) / limit;
@@ -95,6 +93,15 @@ std::array<double, 2> pieces(const Vec3& bend, double tolerance) {
     return {std::sqrt(2.0 * a), std::sqrt(2.0 * b)};
 }
 
+/// Pieces along u for the same bound where there are nv along v already.
+double piecesAlong(const Vec3& bend, double nv, double tolerance) {
+    const double room = 8.0 * tolerance - bend[1] / (nv * nv);
+    const double mixed = bend[2] / nv;
+    // uu x^2 + 2 mixed x = room for the length x of a piece.
+    const double root = std::sqrt(mixed * mixed + bend[0] * std::max(room, 0.0));
+    return std::max(1.0, (mixed + root) / std::max(room, 1e-3 * tolerance));
+}
+
 double curvePieces(double bend, double tolerance) { return std::sqrt(bend / (8.0 * tolerance)); }
 
 FaceRates quadRates(std::span<const Vec3> samples, double tolerance,
@@ -103,10 +110,14 @@ FaceRates quadRates(std::span<const Vec3> samples, double tolerance,
     constexpr int kHalf = kCells / 2;
     FaceRates out;
     out.inner = pieces(grid.bend(0, kCells, 0, kCells), tolerance);
-    out.edges = {pieces(grid.bend(0, kCells, 0, kHalf), tolerance)[0],
-                 pieces(grid.bend(kHalf, kCells, 0, kCells), tolerance)[1],
-                 pieces(grid.bend(0, kCells, kHalf, kCells), tolerance)[0],
-                 pieces(grid.bend(0, kHalf, 0, kCells), tolerance)[1]};
+    // Rows beside an edge are as high as those inside.
+    const double nu = std::ceil(out.inner[0]);
+    const double nv = std::ceil(out.inner[1]);
+    const auto turned = [](const Vec3& bend) { return Vec3(bend[1], bend[0], bend[2]); };
+    out.edges = {piecesAlong(grid.bend(0, kCells, 0, kHalf), nv, tolerance),
+                 piecesAlong(turned(grid.bend(kHalf, kCells, 0, kCells)), nu, tolerance),
+                 piecesAlong(grid.bend(0, kCells, kHalf, kCells), nv, tolerance),
+                 piecesAlong(turned(grid.bend(0, kHalf, 0, kCells)), nu, tolerance)};
     for (int k = 0; k < 4; ++k) {
         if (!hard[at(k)]) continue;
         out.edges[at(k)] = std::max(out.edges[at(k)], curvePieces(grid.curve(k), tolerance));
@@ -130,7 +141,7 @@ FaceRates evenRates(double pieceCount, const std::vector<double>& curves,
 /// and halved: the hypotenuse adds both directions.
 double evenPieces(const Vec3& bend, double tolerance) {
     // The pattern's triangles are not all cut along the two directions measured.
-    constexpr double kReserve = 1.4;
+    constexpr double kReserve = 1.1;
     return std::max(1.0,
                     std::sqrt(kReserve * (bend[0] + 2.0 * bend[2] + bend[1]) / (8.0 * tolerance)));
 }
@@ -170,8 +181,10 @@ std::vector<Vec2> rateSamples(const Parameterization& face) {
     return out;
 }
 
-FaceRates facePieces(const Parameterization& face, std::span<const Vec3> samples, double tolerance,
-                     const std::vector<bool>& hard) {
+FaceRates facePieces(const Parameterization& face, std::span<const Vec3> samples, bool regular,
+                     double tolerance, const std::vector<bool>& hard) {
+    // Samples miss the extreme bend by a little; this much is kept in hand.
+    tolerance /= regular ? 1.15 : 1.3;
     if (face.GetType() == Parameterization::QUAD) return quadRates(samples, tolerance, hard);
     const int n = face.GetFaceSize();
     std::vector<double> curves(at(n), 0.0);

@@ -25,8 +25,9 @@ std::vector<Vec2> rateSamples(const OpenSubdiv::Bfr::Parameterization& face);
 /// Measures a face by second differences of points on it. What counts is how far the surface bends
 /// out of its tangent plane: how it is parameterised does not matter.
 /// \param samples  the surface at rateSamples(face).
+/// \param regular  without an extraordinary point, at which surfaces bend more than samples show.
 /// \param hard     by edge: a crease, whose curve counts in all directions.
 FaceRates facePieces(const OpenSubdiv::Bfr::Parameterization& face, std::span<const Vec3> samples,
-                     double tolerance, const std::vector<bool>& hard);
+                     bool regular, double tolerance, const std::vector<bool>& hard);
 
 }  // namespace ew

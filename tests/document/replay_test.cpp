@@ -133,6 +133,20 @@ TEST(Replay, FailingStepsLeaveTheDocumentAsItWas) {
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
+TEST(Replay, ARadiusAThousandTimesTooLargeIsClampedAndSaidSo) {
+    const auto d = fakeDocument();
+    const std::string box = std::string(kStroke) + R"(, {"do": "apply"}, )";
+    const auto report =
+        replay(*d, script(box + R"({"do": "fillet", "edges": "all", "radius": 5000})"), {});
+    ASSERT_EQ(report.firstFailure(), nullptr);
+    const StepReport& fillet = report.steps.back();
+    EXPECT_EQ(fillet.notes.size(), d->shape()->clamped.size());
+    ASSERT_FALSE(fillet.notes.empty());
+    for (const std::string& note : fillet.notes) {
+        EXPECT_NE(note.find("instead of 5000 mm"), std::string::npos) << note;
+    }
+}
+
 TEST(Replay, StopsAtTheFirstFailureOrKeepsGoing) {
     const std::string steps =
         std::string(R"({"do": "apply"}, )") + kStroke + R"(, {"do": "apply"})";

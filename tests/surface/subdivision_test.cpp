@@ -302,6 +302,30 @@ TEST(Subdivision, SeveralShellsAreOneSurface) {
     EXPECT_LT(volume, 2.0);
 }
 
+TEST(Subdivision, AVoidInsideIsAShellOfItsOwn) {
+    PolyhedronSpec spec = boxSpec({0, 0, 0}, {4, 4, 4});
+    const PolyhedronSpec inner = boxSpec({1, 1, 1}, {3, 3, 3});
+    const int base = static_cast<int>(spec.vertices.size());
+    spec.vertices.insert(spec.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+    for (auto face : inner.faces) {
+        std::reverse(face.begin(), face.end());
+        for (int& i : face) i += base;
+        spec.faces.push_back(face);
+    }
+    const Solid hollow = solidOf(spec);
+    ASSERT_EQ(hollow.shellCount(), 2);
+    const ControlCage cage = filletedCage(hollow, 0.2, SubdivisionScheme::CatmullClark);
+    SubdivisionOptions options;
+    for (const double tolerance : {0.0, 0.01}) {
+        options.tolerance = tolerance;
+        const SurfaceMesh surface = surfaceOf(cage, options);
+        EXPECT_TRUE(checkClosed(asMesh(surface)));
+        // Rounding takes away from the outer shell and from the void.
+        const double volume = enclosedVolume(surface.positions, surface.triangles);
+        EXPECT_NEAR(volume, 64.0 - 8.0, 0.5);
+    }
+}
+
 TEST(Subdivision, TooMuchMemoryIsRefusedBeforeItIsTaken) {
     const Solid bosses = solidOf(bossesSpec(3));
     const ControlCage cage = filletedCage(bosses, 0.1, SubdivisionScheme::CatmullClark);

@@ -90,6 +90,13 @@ void FrameRenderer::resize(const QSize& devicePixels, double devicePixelRatio) {
     d.mustDraw = true;
 }
 
+void FrameRenderer::setAntialiased(bool on) {
+    const int samples = on ? kSamples : 0;
+    if (d_->window->GetMultiSamples() == samples) return;
+    d_->window->SetMultiSamples(samples);
+    d_->mustDraw = true;
+}
+
 void FrameRenderer::render(unsigned framebuffer, bool keepAlpha) {
     Private& d = *d_;
     if (!d.ready) return;

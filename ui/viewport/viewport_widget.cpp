@@ -243,6 +243,7 @@ void ViewportWidget::paintGL() {
     if (d.shapeStale) showShape();
     d.scene.setChosen(d.chosen);
     d.scene.setCamera(resizeCamera(d.document.camera(), width(), height()));
+    d.renderer->setAntialiased(!d.preview || !d.preview->hurried);
     d.renderer->render(defaultFramebufferObject());
     paintOverlays();
     d.frameMs = static_cast<double>(clock.nsecsElapsed()) / 1e6;

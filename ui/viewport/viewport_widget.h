@@ -15,6 +15,7 @@ class LiveReading;
 /// A shape that is not the document's (yet).
 struct ShapePreview {
     std::shared_ptr<const DerivedShape> shape;
+    bool hurried = false;  ///< drawn without antialiasing: the next one is expected soon
 };
 
 /// The drawing surface: the scene by VTK, ink and reading by QPainter on top. Shows a document; it
