@@ -187,17 +187,22 @@ InkReading readWithWobble(const std::vector<Stroke>& strokes, double distancePx,
     return ink;
 }
 
+/// A third of the pieces says that a hand is steady.
+constexpr double kSteadyShare = 0.3;
+
 /// How much this hand wobbles: the median of the longer straight pieces of its drawing [px rms], so
 /// that a piece with a corner overlooked does not count.
-double handWobble(const InkReading& ink, double distancePx) {
+/// \param share  another quantile, 0..1.
+double handWobble(const InkReading& ink, double distancePx, double share = 0.5) {
     std::vector<double> rms;
     for (const Segment& s : ink.segments) {
         if (s.inkPx >= 2.5 * distancePx) rms.push_back(s.rmsPx);
     }
     if (rms.empty()) return tol::kWobbleUnknownPx;
-    const auto middle = rms.begin() + static_cast<std::ptrdiff_t>(rms.size() / 2);
-    std::nth_element(rms.begin(), middle, rms.end());
-    return *middle;
+    const auto n = static_cast<double>(rms.size());
+    const auto at = rms.begin() + static_cast<std::ptrdiff_t>(std::floor(share * n));
+    std::nth_element(rms.begin(), at, rms.end());
+    return *at;
 }
 
 }  // namespace
@@ -206,7 +211,18 @@ InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
     InkReading ink = readWithWobble(strokes, distancePx, tol::kWobbleUnknownPx);
     // A steady hand means its slight bends, so it is read again with less tolerance.
     const double wobble = std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx));
-    if (wobble < 0.6 * tol::kWobbleUnknownPx) ink = readWithWobble(strokes, distancePx, wobble);
+    if (wobble < 0.6 * tol::kWobbleUnknownPx) {
+        ink = readWithWobble(strokes, distancePx, wobble);
+    } else {
+        // In a small drawing most pieces may have an overlooked corner. A hand that was steady in
+        // some is steady, if that leaves none that strays.
+        const double steady =
+            std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx, kSteadyShare));
+        if (steady < 0.25 * tol::kWobbleUnknownPx) {
+            InkReading again = readWithWobble(strokes, distancePx, steady);
+            if (handWobble(again, distancePx) <= steady) ink = std::move(again);
+        }
+    }
     ink.wobblePx = handWobble(ink, distancePx);
     return ink;
 }
