@@ -49,6 +49,22 @@ TEST(Interpret, AnExactBoxComesBackExactly) {
     }
 }
 
+// Most of the strokes of these drawings turn at corners that lie so close together that a hand that
+// wobbles could have drawn them straight; the others say that this hand does not wobble.
+TEST(Interpret, SmallExactDrawingsKeepTheirCorners) {
+    for (const std::uint64_t index : {409u, 439u}) {
+        SCOPED_TRACE(index);
+        test::Random shape(test::Random::mix(21, index));
+        const auto sketch = test::randomSketch("l-prism", shape);
+        test::Random hand(test::Random::mix(21, index, 1));
+        InterpretOptions o;
+        o.camera = sketch.camera;
+        const auto r = readStrokes(exactStrokes(sketch, hand), o);
+        ASSERT_TRUE(r.accepted) << (r.problem ? r.problem->message : "");
+        EXPECT_EQ(r.candidates[static_cast<std::size_t>(*r.accepted)].templateId, "l-prism");
+    }
+}
+
 class ExactDrawings : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ExactDrawings, AreReadAsTheirTemplate) {

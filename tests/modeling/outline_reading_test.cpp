@@ -73,8 +73,8 @@ TEST(OutlineReading, BoxesWithANarrowFaceAreStillBoxes) {
         test::Random hand(test::Random::mix(21, index, 3));
         InterpretOptions o;
         o.camera = sketch.camera;
-        const auto r = test::readStrokes(
-            test::drawByHand(sketch.drawing.lines(), test::kNormalHand, hand), o);
+        const auto r =
+            test::readStrokes(test::drawByHand(sketch.drawing.lines(), test::kNormalHand, hand), o);
         ASSERT_TRUE(r.accepted);
         EXPECT_EQ(r.candidates[static_cast<std::size_t>(*r.accepted)].templateId, "cube");
     }
