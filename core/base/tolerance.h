@@ -21,6 +21,10 @@ inline constexpr double kHookAngleDeg = 40.0;
 /// move it to [px rms].
 inline constexpr double kWobbleUnknownPx = 2.2;
 inline constexpr double kWobbleLeastPx = 0.5;
+/// Lines that stray from straight by less than this are ruled or computed [px]; they are read as if
+/// drawn by a hand that wobbles by so much.
+inline constexpr double kRuledPx = 0.02;
+inline constexpr double kRuledWobblePx = 0.1;
 /// A turn under this may be wobble [degrees].
 inline constexpr double kWobbleTurnDeg = 32.0;
 /// Distance over which a hand's wobble is correlated [px]; sets how much evidence a bend gives.
@@ -263,7 +267,7 @@ inline constexpr double kBoxesAreUsual = 6.0;
 inline constexpr double kBesideOutline = 2.0;
 /// ... and such a reading is taken by itself up to this price of ink beside it, of edges bare of
 /// ink, and of ink bent along its edges.
-inline constexpr double kOutlineTells = 30.0;
+inline constexpr double kOutlineTells = 24.0;
 /// Direction error that hands have besides what their ends' noise explains: degrees per px of
 /// noise, at most this share of the angle threshold.
 inline constexpr double kDirectionPerPx = 2.0;

@@ -223,6 +223,10 @@ InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
             if (handWobble(again, distancePx) <= steady) ink = std::move(again);
         }
     }
+    // No hand is that steady: the lines are computed or ruled, and their corners are all meant.
+    if (handWobble(ink, distancePx) < tol::kRuledPx) {
+        ink = readWithWobble(strokes, distancePx, tol::kRuledWobblePx);
+    }
     ink.wobblePx = handWobble(ink, distancePx);
     return ink;
 }

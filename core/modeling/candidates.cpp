@@ -68,14 +68,23 @@ class Reader {
             start.emplace_back(p.x(), p.y(), options_.camera.depthPx(w));
         }
         for (const TemplateReading& reading : entry_.tmpl.readings) {
-            std::optional<GeneralSolution> best;
-            std::set<std::vector<int>> tried;
+            // Which edges are meant says the body: those that nearly are what the reading wants.
+            std::vector<std::pair<double, SolverRelations>> variants;
+            std::set<std::vector<int>> known;
             for (const auto& symmetry : entry_.symmetries) {
                 SolverRelations relations = solverRelations(entry_.analysis);
                 addReading(relations, entry_.analysis, reading.relations, symmetry);
-                if (!tried.insert(relationKey(relations)).second) continue;
+                if (!known.insert(relationKey(relations)).second) continue;
+                const double off = violation(relations, entry_.analysis, start);
+                variants.emplace_back(off, std::move(relations));
+            }
+            std::stable_sort(variants.begin(), variants.end(),
+                             [](const auto& a, const auto& b) { return a.first < b.first; });
+            if (variants.size() > kMostVariants) variants.resize(kMostVariants);
+            std::optional<GeneralSolution> best;
+            for (const auto& variant : variants) {
                 const auto s =
-                    solveGeneral(entry_.tmpl, entry_.analysis, sighting_, relations, start);
+                    solveGeneral(entry_.tmpl, entry_.analysis, sighting_, variant.second, start);
                 if (s && (!best || s->cost < best->cost)) best = s;
             }
             if (best) addGeneral(*best, reading.id, reading.name);
@@ -324,6 +333,8 @@ class Reader {
         }
         out_.push_back(std::move(rated));
     }
+
+    static constexpr std::size_t kMostVariants = 2;
 
     const GraphMatch& match_;
     const InterpretOptions& options_;

@@ -41,6 +41,28 @@ void addReading(SolverRelations& relations, const TemplateAnalysis& analysis,
     for (const auto& g : reading.equalLength) relations.equalLength.push_back(group(g));
 }
 
+double violation(const SolverRelations& relations, const TemplateAnalysis& analysis,
+                 const CameraPoints& points) {
+    const auto edge = [&](int e) {
+        const auto& ends = analysis.edges[at(e)].ends;
+        return Vec3(points[at(ends[1])] - points[at(ends[0])]);
+    };
+    double sum = 0;
+    for (const auto& pair : relations.perpendicular) {
+        sum += std::pow(edge(pair[0]).normalized().dot(edge(pair[1]).normalized()), 2);
+    }
+    for (const auto& group : relations.parallel) {
+        for (const int e : group) {
+            sum += edge(group.front()).normalized().cross(edge(e).normalized()).squaredNorm();
+        }
+    }
+    for (const auto& group : relations.equalLength) {
+        const double first = std::max(edge(group.front()).norm(), 1e-9);
+        for (const int e : group) sum += std::pow(edge(e).norm() / first - 1.0, 2);
+    }
+    return sum;
+}
+
 int templateFreedoms(const Template& tmpl, const TemplateAnalysis& analysis) {
     const SolverRelations relations = solverRelations(analysis);
     const Sighting nothing;

@@ -30,6 +30,12 @@ SolverRelations solverRelations(const TemplateAnalysis& analysis);
 void addReading(SolverRelations& relations, const TemplateAnalysis& analysis,
                 const TemplateRelations& reading, const std::vector<int>& symmetry);
 
+/// How far a body is from holding relations: sum of squared cosines of what should be
+/// perpendicular, squared sines of what should be parallel and squared relative differences of what
+/// should be equally long. 0 where they hold.
+double violation(const SolverRelations& relations, const TemplateAnalysis& analysis,
+                 const CameraPoints& points);
+
 /// Degrees of freedom that a template's relations leave (position and attitude included, depth
 /// not): a lower bound of what a candidate of it costs.
 int templateFreedoms(const Template& tmpl, const TemplateAnalysis& analysis);
