@@ -18,13 +18,6 @@ constexpr double kHiddenPx = 6.0;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 along = b - a;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-    return (a + t * along - p).norm();
-}
-
 struct Found {
     EdgeRef edge;
     double distance = std::numeric_limits<double>::infinity();

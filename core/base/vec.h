@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace ew {
 
@@ -24,5 +25,14 @@ struct Pose {
     Vec3 directionToWorld(const Vec3& body) const { return rotation * body; }
     Vec3 directionToBody(const Vec3& world) const { return rotation.transpose() * world; }
 };
+
+/// Distance of p from the segment from a to b, prolonged past either end.
+inline double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double past = 0.0) {
+    const Vec2 d = b - a;
+    const double share = past / std::max(d.norm(), 1e-6);
+    const double t =
+        std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -share, 1.0 + share);
+    return (p - a - t * d).norm();
+}
 
 }  // namespace ew

@@ -9,14 +9,6 @@ namespace ew {
 
 namespace {
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 ab = b - a;
-    const double lengthSquared = ab.squaredNorm();
-    const double t =
-        lengthSquared > 0 ? std::clamp((p - a).dot(ab) / lengthSquared, 0.0, 1.0) : 0.0;
-    return (p - (a + t * ab)).norm();
-}
-
 std::unordered_set<int> idsOf(const std::vector<PendingStroke>& strokes) {
     std::unordered_set<int> ids;
     for (const PendingStroke& s : strokes) ids.insert(s.id);

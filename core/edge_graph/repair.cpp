@@ -34,13 +34,6 @@ bool samePiece(const LinePiece& a, const LinePiece& b) {
     return a.line == b.line && ((a.t0 == b.t0 && a.t1 == b.t1) || (a.t0 == b.t1 && a.t1 == b.t0));
 }
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 d = b - a;
-    const double len2 = std::max(d.squaredNorm(), 1e-12);
-    const double t = std::clamp((p - a).dot(d) / len2, 0.0, 1.0);
-    return (p - a - t * d).norm();
-}
-
 /// What identifies a graph whatever the order of the corrections that led to it.
 std::vector<int> keyOf(std::size_t draft, const RawGraph& raw) {
     std::vector<std::pair<int, int>> edges;

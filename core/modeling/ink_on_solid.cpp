@@ -11,14 +11,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b, double pastPx) {
-    const Vec2 d = b - a;
-    const double past = pastPx / std::max(d.norm(), 1e-6);
-    const double t =
-        std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -past, 1.0 + past);
-    return (p - a - t * d).norm();
-}
-
 }  // namespace
 
 double handNoisePx(const InkReading& ink) {

@@ -96,12 +96,6 @@ std::vector<int> outlineOf(const PlaneGraph& graph) {
     return outline;
 }
 
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 d = b - a;
-    const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), 0.0, 1.0);
-    return (p - a - t * d).norm();
-}
-
 /// One aspect laid over the ink.
 class Laying {
   public:
