@@ -53,6 +53,8 @@ const std::vector<ReadingOptions>& readingOptions() {
     return kOptions;
 }
 
+/// Ends of an unsteady hand lie so far apart where they should meet [distance thresholds].
+constexpr double kUnsteadySpread = 0.2;
 /// Where the search for repairs starts from.
 struct DraftOptions {
     ReadingOptions reading;
@@ -64,7 +66,7 @@ const std::vector<DraftOptions>& draftOptions() {
         {{}},
         {{1.0, 1.3, 0.7}, tol::kSecondLookCost},
         {{0.72, 0.6, 0.2}, tol::kSecondLookCost},
-        {{1.0, 1.6, 0.7}, 2 * tol::kSecondLookCost, 0.2},
+        {{1.0, 1.6, 0.7}, 2 * tol::kSecondLookCost, kUnsteadySpread},
         {{1.4, 1.0, 0.4, 1.8}, 4 * tol::kSecondLookCost, 0.25},
     };
     return kOptions;
@@ -260,6 +262,8 @@ class Pipeline {
     /// Aspects laid over the ink: where line ends joined wrongly the outline may still tell.
     void tryOutlines(Reading& best) {
         const double distance = options_.thresholds.distancePx;
+        // A steady hand's ends say what they mean; a gap of it is to be told, not bridged.
+        if (spreadPx_ < kUnsteadySpread * distance) return;
         const OutlineOptions o{
             distance, std::max(tol::kTurnExcuse * distance, tol::kTurnSpreads * spreadPx_)};
         for (const auto& entry : library_.index().entries) {
@@ -273,6 +277,8 @@ class Pipeline {
                 r.price = tol::kSecondLookCost + bentPrice(r.graph, ink_.wobblePx) +
                           tol::kExtraEdgeCost * laid.barePx / (4.0 * distance);
                 addReadings(r, laid.match);
+                std::erase_if(r.candidates,
+                              [&](const RatedCandidate& c) { return leavesTooMuch(c); });
                 // Ink beside an outline that was laid over it was drawn for something.
                 for (RatedCandidate& c : r.candidates)
                     c.cost += tol::kBesideOutline * unexplainedPrice(c);

@@ -162,6 +162,7 @@ class Laying {
         for (int round = 0; round < kRounds; ++round) {
             if (!assign()) return std::nullopt;
             out.reading.graph = fitted(out.reading.barePx);
+            if (mostlyBare_) return std::nullopt;
             settleJunctions(out.reading.graph, options_.distancePx);
             for (std::size_t v = 0; v < place_.size(); ++v) {
                 place_[v] = out.reading.graph.junctions[v].position;
@@ -269,9 +270,10 @@ class Laying {
                            [](const auto& points) { return points.size() >= 2; });
     }
 
-    EdgeGraph fitted(double& barePx) const {
+    EdgeGraph fitted(double& barePx) {
         EdgeGraph graph;
         barePx = 0;
+        mostlyBare_ = false;
         for (const Vec2& p : place_) graph.junctions.push_back({p});
         for (std::size_t e = 0; e < taken_.size(); ++e) {
             const auto& ends = aspect_.graph.edges[e];
@@ -292,7 +294,9 @@ class Laying {
             line.a = *first;
             line.b = *last;
             line.inkPx = line.length();
-            barePx += std::max(0.0, bare(line.points, a, b) - options_.distancePx);
+            const double open = bare(line.points, a, b);
+            barePx += std::max(0.0, open - options_.distancePx);
+            mostlyBare_ = mostlyBare_ || open > kMostBare * (b - a).norm();
             GraphEdge edge = fitEdge(a, b, {{0, 0.0, line.length()}}, {line});
             edge.ends = ends;
             graph.edges.push_back(std::move(edge));
@@ -320,6 +324,7 @@ class Laying {
 
     static constexpr std::size_t kMostAnAspect = 2;
     static constexpr int kRounds = 4;
+    static constexpr double kMostBare = 0.6;  ///< of an edge
     static constexpr double kMostTurnSine = 0.6;
     static constexpr double kTurnPx =
         0.5;  ///< a right angle counts like this [distance thresholds]
@@ -331,6 +336,7 @@ class Laying {
     std::vector<Vec2> place_;                          ///< per vertex of the aspect
     std::vector<std::vector<const InkPoint*>> taken_;  ///< per edge of the aspect
     double misses_ = 0.0;
+    bool mostlyBare_ = false;  ///< some edge has hardly any ink
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(OutlineReading, LeavesTemplatesThatAreNotConvexAlone) {
 
 // Corners of these boxes lie so close together that a normal hand's ends join wrongly.
 TEST(OutlineReading, BoxesWithANarrowFaceAreStillBoxes) {
-    for (const std::uint64_t index : {9u, 22u, 105u, 298u, 913u, 962u}) {
+    for (const std::uint64_t index : {9u, 105u, 298u, 913u, 962u}) {
         SCOPED_TRACE(index);
         test::Random shape(test::Random::mix(21, index));
         const test::SketchCase sketch = test::randomSketch("cube", shape);
