@@ -342,12 +342,8 @@ class Pipeline {
                             c.entry->analysis.edges[static_cast<std::size_t>(e)].ends;
                         const Vec2 a = c.drawn[static_cast<std::size_t>(ends[0])].head<2>();
                         const Vec2 b = c.drawn[static_cast<std::size_t>(ends[1])].head<2>();
-                        const Vec2 d = b - a;
                         // Overshoot is no other line.
-                        const double past = distance / std::max(d.norm(), 1e-6);
-                        const double t = std::clamp(
-                            (p - a).dot(d) / std::max(d.squaredNorm(), 1e-12), -past, 1.0 + past);
-                        return (p - a - t * d).squaredNorm() <= near * near;
+                        return distanceToSegment(p, a, b, distance) <= near;
                     });
                 if (!explained) ++far;
             }
