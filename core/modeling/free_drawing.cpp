@@ -16,6 +16,7 @@
 #include "core/modeling/diagnose.h"
 #include "core/modeling/ink_on_solid.h"
 #include "core/modeling/outline_reading.h"
+#include "core/modeling/reading_price.h"
 #include "core/tlib/matcher.h"
 
 namespace ew {
@@ -70,30 +71,6 @@ const std::vector<DraftOptions>& draftOptions() {
         {{1.4, 1.0, 0.4, 1.8}, 4 * tol::kSecondLookCost, 0.25},
     };
     return kOptions;
-}
-
-/// Price of ink that a graph drops: a stray line is a line too many, a short one less so.
-double strayPrice(const EdgeGraph& graph, double distancePx) {
-    double price = 0;
-    for (const NoiseItem& n : graph.noise) {
-        if (n.kind != NoiseKind::Stray || n.polyline.size() < 2) continue;
-        const double length = (n.polyline.back() - n.polyline.front()).norm();
-        price += tol::kExtraEdgeCost * std::min(1.0, length / (4.0 * distancePx));
-    }
-    return price;
-}
-
-/// Price of ink that strays from its edge more than this hand wobbles: two edges taken for one,
-/// most likely.
-double bentPrice(const EdgeGraph& graph, double wobblePx) {
-    const double usual = std::max(wobblePx, tol::kWobbleLeastPx);
-    double price = 0;
-    for (const GraphEdge& e : graph.edges) {
-        const double excess = e.wobblePx * e.wobblePx / (usual * usual) - 4.0;
-        if (excess > 0)
-            price += std::min(30.0, 0.25 * excess * e.inkPx / tol::kWobbleCorrelationPx);
-    }
-    return price;
 }
 
 /// How much dearer the next different candidate must be. A drawing with a line too many or too few
@@ -160,9 +137,12 @@ class Pipeline {
     /// All graphs that the reading options lead to, each once.
     void buildReadings() {
         std::set<std::string> known;
-        for (std::size_t i = 0; i < readingOptions().size(); ++i) {
+        std::vector<ReadingOptions> ways = readingOptions();
+        // Ruled lines meet where they end; what else is near is another place.
+        if (ink_.wobblePx < tol::kRuledPx) ways.push_back({0.25, 0.4, 0.1});
+        for (std::size_t i = 0; i < ways.size(); ++i) {
             for (EdgeGraph& graph :
-                 buildEdgeGraphs(ink_, options_.thresholds.distancePx, readingOptions()[i])) {
+                 buildEdgeGraphs(ink_, options_.thresholds.distancePx, ways[i])) {
                 Reading r = read(std::move(graph));
                 if (i > 0) r.price += tol::kSecondLookCost;
                 const std::string key = canonicalForm(planeGraph(r.graph)).code + "/" +
@@ -255,8 +235,10 @@ class Pipeline {
     /// Does the best candidate of a reading by outline leave little enough ink aside, and bare of
     /// ink little enough of its edges, to be taken by itself?
     bool outlineTells(const Reading& r) const {
-        return r.price + (1 + tol::kBesideOutline) * unexplainedPrice(r.candidates.front()) <=
-               tol::kOutlineTells;
+        const RatedCandidate& best = r.candidates.front();
+        // A careless hand retraces an edge farther off than its ends tell.
+        return r.price + (1 + tol::kBesideOutline) * unexplainedPrice(best, 1.0) <=
+               tol::kOutlineTells * static_cast<double>(best.match.edge.size());
     }
 
     /// Aspects laid over the ink: where line ends joined wrongly the outline may still tell.
@@ -268,7 +250,7 @@ class Pipeline {
             distance, std::max(tol::kTurnExcuse * distance, tol::kTurnSpreads * spreadPx_)};
         for (const auto& entry : library_.index().entries) {
             if (!options_.templateId.empty() && entry->tmpl.id != options_.templateId) continue;
-            if (!entry->analysis.convex || (best.clear && !entry->analysis.rectilinear)) continue;
+            if (best.clear && !entry->analysis.rectilinear) continue;
             for (OutlineReading& laid : readingsByOutline(ink_, entry, o)) {
                 Reading r;
                 r.graph = std::move(laid.graph);
@@ -329,9 +311,9 @@ class Pipeline {
 
     /// Length of the ink that runs far from every edge of this candidate: it meant something else
     /// [px].
-    double unexplainedPx(const RatedCandidate& c) const {
+    double unexplainedPx(const RatedCandidate& c, double share = 0.5) const {
         const double distance = options_.thresholds.distancePx;
-        const double near = std::min(distance, std::max(0.5 * distance, 3.0 * context_.noisePx));
+        const double near = std::min(distance, std::max(share * distance, 3.0 * context_.noisePx));
         double length = 0;
         for (const Segment& s : ink_.segments) {
             std::size_t far = 0;
@@ -352,8 +334,9 @@ class Pipeline {
         return length;
     }
 
-    double unexplainedPrice(const RatedCandidate& c) const {
-        return tol::kExtraEdgeCost * unexplainedPx(c) / (4.0 * options_.thresholds.distancePx);
+    double unexplainedPrice(const RatedCandidate& c, double share = 0.5) const {
+        return tol::kExtraEdgeCost * unexplainedPx(c, share) /
+               (4.0 * options_.thresholds.distancePx);
     }
 
     /// Does this candidate leave more of the ink aside than a slip of the pen? The fewer edges

@@ -61,6 +61,7 @@ class Modification {
                 continue;
             }
             views_.emplace(static_cast<int>(b), std::move(*view));
+            out_.touches = out_.touches || liesOver(views_.at(static_cast<int>(b)));
             read(views_.at(static_cast<int>(b)), static_cast<int>(b));
         }
         std::stable_sort(found_.begin(), found_.end(),
@@ -107,6 +108,25 @@ class Modification {
             place(matches, view, body, false);
             if (understood(tol::kUnderstoodMisfit)) return;
         }
+    }
+
+    /// Does most of the ink lie over the solid as it is seen? Nobody draws another body there.
+    bool liesOver(const ModelView& view) const {
+        constexpr std::size_t kMostAsked = 200;
+        std::size_t points = 0;
+        for (const Segment& s : ink_.segments) points += s.points.size();
+        const std::size_t step = 1 + points / kMostAsked;
+        std::size_t i = 0;
+        std::size_t asked = 0;
+        std::size_t over = 0;
+        for (const Segment& s : ink_.segments) {
+            for (const Vec2& p : s.points) {
+                if (i++ % step != 0) continue;
+                ++asked;
+                if (view.faceAt(p)) ++over;
+            }
+        }
+        return 2 * over > asked;
     }
 
     /// Does the best option explain all of the ink closely?

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "core/base/tolerance.h"
@@ -39,25 +40,29 @@ std::vector<InkPoint> inkPoints(const InkReading& ink) {
     return points;
 }
 
-/// Convex hull, clockwise on the screen (y down).
-std::vector<Vec2> convexHull(const std::vector<InkPoint>& ink) {
-    std::vector<Vec2> p;
-    for (const InkPoint& i : ink) p.push_back(i.position);
-    std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) {
+/// Convex hull, clockwise on the screen (y down): indices of its corners.
+std::vector<int> convexHull(const std::vector<Vec2>& points) {
+    std::vector<int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+        const Vec2& a = points[at(i)];
+        const Vec2& b = points[at(j)];
         return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
     });
-    std::vector<Vec2> hull;
+    std::vector<int> hull;
     for (int side = 0; side < 2; ++side) {
         const std::size_t start = hull.size();
-        for (const Vec2& q : p) {
-            while (hull.size() >= start + 2 &&
-                   cross2(hull.back() - hull[hull.size() - 2], q - hull.back()) <= 0) {
+        for (const int q : order) {
+            while (hull.size() >= start + 2) {
+                const Vec2& last = points[at(hull.back())];
+                const Vec2& before = points[at(hull[hull.size() - 2])];
+                if (cross2(last - before, points[at(q)] - last) > 0) break;
                 hull.pop_back();
             }
             hull.push_back(q);
         }
         hull.pop_back();
-        std::reverse(p.begin(), p.end());
+        std::reverse(order.begin(), order.end());
     }
     return hull;
 }
@@ -78,24 +83,6 @@ void simplify(std::vector<Vec2>& polygon, std::size_t n) {
     }
 }
 
-/// The vertices of a graph's outline in order, clockwise on the screen; empty where it touches
-/// itself.
-std::vector<int> outlineOf(const PlaneGraph& graph) {
-    const RotationSystem rotation = rotationOf(graph);
-    std::vector<PlaneFace> faces = facesOf(graph, rotation);
-    const auto widest = std::max_element(
-        faces.begin(), faces.end(),
-        [](const PlaneFace& a, const PlaneFace& b) { return std::abs(a.area) < std::abs(b.area); });
-    std::vector<int> outline;
-    if (widest == faces.end()) return outline;
-    for (const int d : widest->loop) outline.push_back(rotation.origin[at(d)]);
-    if (widest->area < 0) std::reverse(outline.begin(), outline.end());
-    std::vector<int> sorted = outline;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) outline.clear();
-    return outline;
-}
-
 /// One aspect laid over the ink.
 class Laying {
   public:
@@ -109,7 +96,7 @@ class Laying {
     };
 
     std::vector<Result> run(const std::vector<Vec2>& hull) {
-        const std::vector<int> outline = outlineOf(aspect_.graph);
+        const std::vector<int> outline = convexHull(aspect_.graph.points);
         std::vector<Result> found;
         if (outline.size() < 3 || hull.size() < outline.size()) return found;
         std::vector<Vec2> corners = hull;
@@ -137,8 +124,11 @@ class Laying {
     /// The least image, under the template's symmetries, of the template vertices on the corners
     /// and inside.
     std::vector<int> orbit(std::vector<int> onCorner) const {
-        for (std::size_t v = 0; v < aspect_.vertex.size(); ++v) {
-            if (!aspect_.outer[v]) onCorner.push_back(static_cast<int>(v));
+        const std::vector<int> corners = onCorner;
+        for (int v = 0; v < static_cast<int>(aspect_.vertex.size()); ++v) {
+            if (std::find(corners.begin(), corners.end(), v) == corners.end()) {
+                onCorner.push_back(v);
+            }
         }
         std::vector<int> best;
         for (const auto& map : entry_->symmetries) {
@@ -299,9 +289,25 @@ class Laying {
             mostlyBare_ = mostlyBare_ || open > kMostBare * (b - a).norm();
             GraphEdge edge = fitEdge(a, b, {{0, 0.0, line.length()}}, {line});
             edge.ends = ends;
+            edge.wobblePx = std::min(edge.wobblePx, wobbleOfStrokes(taken_[e]));
             graph.edges.push_back(std::move(edge));
         }
         return graph;
+    }
+
+    /// How much the strokes stray from lines of their own, rms: strokes beside each other retrace
+    /// one edge as well as this hand can, and are not bent.
+    static double wobbleOfStrokes(const std::vector<const InkPoint*>& ink) {
+        double squares = 0;
+        std::vector<Vec2> run;
+        for (std::size_t i = 0; i < ink.size(); ++i) {
+            run.push_back(ink[i]->position);
+            if (i + 1 < ink.size() && ink[i + 1]->stroke == ink[i]->stroke) continue;
+            const double rms = fitLine(run).rmsPx;
+            squares += rms * rms * static_cast<double>(run.size());
+            run.clear();
+        }
+        return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, ink.size())));
     }
 
     /// Length of an edge that no point of its ink is near.
@@ -345,10 +351,13 @@ std::vector<OutlineReading> readingsByOutline(const InkReading& ink,
                                               const std::shared_ptr<const LibraryEntry>& entry,
                                               const OutlineOptions& options) {
     std::vector<OutlineReading> out;
-    if (!entry->analysis.convex) return out;
+    if (!entry->analysis.convex && !entry->analysis.rectilinear) return out;
     const std::vector<InkPoint> points = inkPoints(ink);
     if (points.size() < 8) return out;
-    const std::vector<Vec2> hull = convexHull(points);
+    std::vector<Vec2> places;
+    for (const InkPoint& p : points) places.push_back(p.position);
+    std::vector<Vec2> hull;
+    for (const int i : convexHull(places)) hull.push_back(places[at(i)]);
     for (const Aspect& aspect : entry->aspects) {
         if (aspect.kind != AspectKind::Explicit ||
             std::find(aspect.vertex.begin(), aspect.vertex.end(), -1) != aspect.vertex.end()) {

@@ -85,7 +85,8 @@ std::size_t hookLength(const std::vector<Vec2>& nodes) {
         const Vec2 step = nodes[i + 1] - nodes[i];
         if (step.dot(main) < cosLimit * step.norm()) hook = i + 1;
     }
-    return hook;
+    // What still goes its own way at the end of the reach is an edge.
+    return hook < from ? hook : 0;
 }
 
 void trimHooks(std::vector<Vec2>& nodes) {

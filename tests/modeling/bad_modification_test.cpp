@@ -10,6 +10,8 @@
 #include "core/solid/visibility.h"
 #include "core/tlib/library.h"
 #include "tests/support/modification_cases.h"
+#include "tests/support/random.h"
+#include "tests/support/sketch_generator.h"
 
 namespace ew::test {
 namespace {
@@ -68,6 +70,39 @@ TEST(BadModification, TheWholeSolidDrawnAgainIsNoChange) {
     EXPECT_FALSE(r.accepted);
     expectReasonOrSolid(r);
     EXPECT_EQ(r.problem->code, Errc::NoChange);
+}
+
+TEST(BadModification, ADrawingOverTheSolidIsNoNewBodyByItself) {
+    const OrthographicCamera camera = defaultBoxCamera();
+    InterpretOptions o;
+    o.camera = camera;
+    o.bodies = {theBox()};
+    const Vec2 middle = camera.project(Vec3(40, 30, 20));
+    for (const char* id : {"cube", "triangular-prism", "triangular-pyramid", "wedge-frustum"}) {
+        for (std::uint64_t i = 0; i < 5; ++i) {
+            Random shape(Random::mix(17, i));
+            std::vector<Line2> lines = randomSketch(id, shape).drawing.lines();
+            Eigen::AlignedBox2d extent;
+            for (const Line2& l : lines) extent.extend(l[0]).extend(l[1]);
+            const double scale = 150.0 / extent.diagonal().norm();
+            std::vector<Stroke> strokes;
+            for (const Line2& l : lines) {
+                Stroke s;
+                for (const Vec2& p : l) {
+                    s.samples.push_back({middle + scale * (p - extent.center()), 1.0, 0.0});
+                }
+                strokes.push_back(std::move(s));
+            }
+            const Interpretation r = interpret(strokes, library(), o);
+            if (r.accepted) {
+                EXPECT_NE(r.candidates[static_cast<std::size_t>(*r.accepted)].operation,
+                          Operation::Create)
+                    << id << " " << i;
+            } else {
+                expectReasonOrSolid(r);
+            }
+        }
+    }
 }
 
 TEST(BadModification, ASketchBesideTheSolidIsANewBody) {

@@ -60,8 +60,32 @@ TEST(OutlineReading, NeedsInkForEveryEdge) {
     EXPECT_TRUE(readingsByOutline(boxInk({0}), entryOf("cube"), {}).empty());
 }
 
-TEST(OutlineReading, LeavesTemplatesThatAreNotConvexAlone) {
+TEST(OutlineReading, FindsNoLPrismInABox) {
     EXPECT_TRUE(readingsByOutline(boxInk(), entryOf("l-prism"), {}).empty());
+}
+
+// Where the outline is not convex the corners of its convex hull are laid on those of the ink.
+TEST(OutlineReading, LaysAnLPrismOnAnLPrism) {
+    int found = 0;
+    constexpr int kDrawings = 20;
+    for (std::uint64_t index = 0; index < kDrawings; ++index) {
+        test::Random shape(test::Random::mix(5, index));
+        const auto lines = test::randomSketch("l-prism", shape).drawing.lines();
+        std::vector<Stroke> strokes;
+        for (const auto& l : lines) strokes.push_back(test::line(l[0], l[1]));
+        const auto onAnEnd = [&](const Junction& j) {
+            return std::any_of(lines.begin(), lines.end(), [&](const auto& l) {
+                return std::min((l[0] - j.position).norm(), (l[1] - j.position).norm()) < 1.0;
+            });
+        };
+        const auto readings = readingsByOutline(readInk(strokes, 14.0), entryOf("l-prism"), {});
+        found += std::any_of(readings.begin(), readings.end(), [&](const OutlineReading& r) {
+            return r.graph.edges.size() == lines.size() && r.barePx == 0.0 &&
+                   std::all_of(r.graph.junctions.begin(), r.graph.junctions.end(), onAnEnd);
+        });
+    }
+    // The others show T junctions, which are not laid.
+    EXPECT_GE(found, kDrawings / 2);
 }
 
 // Corners of these boxes lie so close together that a normal hand's ends join wrongly.

@@ -83,6 +83,16 @@ TEST(ReadStroke, AHookIsTrimmed) {
     EXPECT_LT((r.segments[0].b - Vec2(300, 100)).norm(), 3.0);
 }
 
+TEST(ReadStroke, AShortEdgeAtTheEndIsNoHook) {
+    // It turns back as a hook does, but it is longer than one.
+    const std::vector<Vec2> corners{{345, 340}, {358.8, 355.2}, {335, 361.8}};
+    const StrokeReading r = readStroke(strokeThrough(corners, 1.5), 0, kThreshold, kWobble);
+    ASSERT_EQ(r.segments.size(), 2u);
+    EXPECT_LT((r.segments[0].a - corners[0]).norm(), 0.1);
+    EXPECT_LT((r.segments[0].b - corners[1]).norm(), 0.1);
+    EXPECT_LT((r.segments[1].b - corners[2]).norm(), 0.1);
+}
+
 TEST(ReadStroke, DotsCirclesAndScribblesAreNoLines) {
     EXPECT_EQ(readStroke(strokeThrough({{5, 5}, {8, 7}}, 1), 0, kThreshold, kWobble).kind,
               StrokeKind::Dot);
