@@ -10,6 +10,7 @@
 #include "core/base/tolerance.h"
 #include "core/edge_graph/canonical.h"
 #include "core/modeling/accidental.h"
+#include "core/modeling/box_on_solid.h"
 #include "core/modeling/cracking.h"
 #include "core/modeling/general_fit.h"
 #include "core/modeling/ink_on_solid.h"
@@ -103,6 +104,8 @@ class Modification {
             place(matches, view, body, true);
             if (understood(tol::kPlainMisfit)) return;
         }
+        // Ends of an unsteady hand join wrongly, while the whole of its lines still tells.
+        if (spread_ >= kUnsteadySpread * distance_) placeLaidBoxes(view, body);
         if (understood(tol::kUnderstoodMisfit)) return;
         for (const auto& matches : looks) {
             place(matches, view, body, false);
@@ -169,20 +172,49 @@ class Modification {
 
     void place(const std::vector<Match>& matches, const ModelView& view, int body, bool plain) {
         for (const Match& m : matches) {
-            const int freedoms = templateFreedoms(m.match.entry->tmpl, m.match.entry->analysis);
             for (Placement& p : placementsOf(*m.joint, m.reading, m.match, view,
                                              {options_.thresholds, noise_, plain})) {
-                Option o;
-                o.leftOutPx = unexplainedInk(ink_, p, m.match, view, distance_, noise_);
-                o.cost = p.cost + m.price + tol::kTemplateFreedomCost * freedoms +
-                         tol::kExtraEdgeCost * o.leftOutPx / (4.0 * distance_);
-                o.placement = std::move(p);
-                o.match = m.match;
-                o.joint = m.joint;
-                o.reading = m.reading;
-                o.body = body;
-                o.plain = plain;
-                found_.push_back(std::move(o));
+                consider(m, std::move(p), view, body, plain, 0.0);
+            }
+        }
+    }
+
+    /// \param strayPx  ink that is known to be left out [px].
+    void consider(const Match& m, Placement placement, const ModelView& view, int body, bool plain,
+                  double strayPx) {
+        const int freedoms = templateFreedoms(m.match.entry->tmpl, m.match.entry->analysis);
+        Option o;
+        o.leftOutPx =
+            std::max(strayPx, unexplainedInk(ink_, placement, m.match, view, distance_, noise_));
+        o.cost = placement.cost + m.price + tol::kTemplateFreedomCost * freedoms +
+                 tol::kExtraEdgeCost * o.leftOutPx / (4.0 * distance_);
+        o.placement = std::move(placement);
+        o.match = m.match;
+        o.joint = m.joint;
+        o.reading = m.reading;
+        o.body = body;
+        o.plain = plain;
+        found_.push_back(std::move(o));
+    }
+
+    void placeLaidBoxes(const ModelView& view, int body) {
+        for (const auto& entry : index_.entries) {
+            if (!isBox(*entry)) continue;
+            if (!options_.templateId.empty() && entry->tmpl.id != options_.templateId) continue;
+            for (LaidBox& laid : layBoxes(ink_, view, entry, {options_.thresholds, noise_})) {
+                if (options_.operation != Operation::Auto && options_.operation != laid.operation) {
+                    continue;
+                }
+                // Ink beside a box that was laid over it was drawn for something.
+                const double beside =
+                    tol::kBesideOutline * tol::kExtraEdgeCost * laid.strayPx / (4.0 * distance_);
+                const Match m{laid.joint, std::move(laid.reading), std::move(laid.match),
+                              laid.price + beside + tol::kSecondLookCost};
+                for (Placement& p :
+                     placementsOn({laid.operation, laid.pairs}, *m.joint, m.reading, m.match, view,
+                                  {options_.thresholds, noise_, true})) {
+                    consider(m, std::move(p), view, body, true, laid.strayPx);
+                }
             }
         }
     }
@@ -386,6 +418,8 @@ class Modification {
         return c;
     }
 
+    /// Ends of an unsteady hand lie so far apart where they should meet [distance thresholds].
+    static constexpr double kUnsteadySpread = 0.2;
     static constexpr double kFarDearer = 40.0;
     static constexpr double kAdjustCost = 16.0;  // never a rival
     static constexpr double kSteadyPx = 2.5;

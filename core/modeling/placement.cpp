@@ -61,6 +61,12 @@ class Placer {
         return std::move(out_);
     }
 
+    /// See placementsOn.
+    std::vector<Placement> on(const Seat& seat) {
+        attempt(seat.faces, seat.operation);
+        return std::move(out_);
+    }
+
     /// See adjustedPlacement.
     std::optional<Placement> adjusted(const Placement& placed, int face) const {
         const Vec3 n = model_.plane(face).normal;
@@ -471,6 +477,12 @@ std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading&
                                     const GraphMatch& match, const ModelView& model,
                                     const PlacementOptions& options) {
     return Placer(joint, reading, match, model, options).run();
+}
+
+std::vector<Placement> placementsOn(const Seat& seat, const JointGraph& joint,
+                                    const JointReading& reading, const GraphMatch& match,
+                                    const ModelView& model, const PlacementOptions& options) {
+    return Placer(joint, reading, match, model, options).on(seat);
 }
 
 std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointReading& reading,

@@ -44,6 +44,17 @@ std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading&
                                     const GraphMatch& match, const ModelView& model,
                                     const PlacementOptions& options);
 
+/// What a template is known to do on a solid.
+struct Seat {
+    Operation operation = Operation::Cut;  ///< Add or Cut
+    FacePairs faces;                       ///< template face, face of the solid
+};
+
+/// The template placed with just these of its faces in faces of the solid.
+std::vector<Placement> placementsOn(const Seat& seat, const JointGraph& joint,
+                                    const JointReading& reading, const GraphMatch& match,
+                                    const ModelView& model, const PlacementOptions& options);
+
 /// The placement with one of its hidden faces moved into the plane of a parallel face of the solid,
 /// so that the body becomes smaller; the ink that speaks against it is overruled. Nothing where no
 /// hidden face is parallel.

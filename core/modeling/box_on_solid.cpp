@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/box_on_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "core/base/tolerance.h"
+#include "core/modeling/box_edges.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A place where a side of the box may be.
+struct Place {
+    double value = 0.0;
+    double weight = 0.0;  ///< length of the lines that say so [px]
+    int on = -1;          ///< face of the solid that lies there
+    bool ahead = false;   ///< ... whose outside is that way along the axis
+};
+
+class Layer {
+  public:
+    Layer(const BoxFrame& frame, const ModelView& model, const BoxLayingOptions& options)
+        : frame_(frame),
+          model_(model),
+          options_(options),
+          distance_(options.thresholds.distancePx) {}
+
+    /// All boxes worth a closer look, best first.
+    std::vector<Box> boxes() {
+        std::vector<Box> found;
+        for (const double depth : depths()) {
+            const auto us = pairsAlong(0, depth);
+            const auto vs = pairsAlong(1, depth);
+            for (const auto& u : us) {
+                for (const auto& v : vs) {
+                    Box box;
+                    box.on[2][0] = frame_.face;
+                    box.side[2] = {0.0, depth};
+                    for (std::size_t k = 0; k < 2; ++k) {
+                        set(box, 0, k, u[k]);
+                        set(box, 1, k, v[k]);
+                    }
+                    if (rate(box, false)) found.push_back(box);
+                }
+            }
+            keepBest(found, kLookedAt);
+        }
+        std::vector<Box> best;
+        for (Box& b : found) {
+            if (rate(b, true)) best.push_back(b);
+        }
+        keepBest(best, best.size());
+        return best;
+    }
+
+    /// Edges with ink, fitted to it.
+    std::optional<LaidBox> lay(const Box& box, const std::shared_ptr<const LibraryEntry>& entry);
+
+    void seat(const Box& box, LaidBox& out, const LibraryEntry& entry) const;
+
+    /// Are two boxes the same but for what this hand cannot tell apart?
+    bool same(const Box& a, const Box& b) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                if (std::abs(a.side[i][k] - b.side[i][k]) * frame_.seen[i] > options_.noisePx) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+  private:
+    static void keepBest(std::vector<Box>& boxes, std::size_t n) {
+        std::stable_sort(boxes.begin(), boxes.end(),
+                         [](const Box& a, const Box& b) { return a.cost < b.cost; });
+        if (boxes.size() > n) boxes.resize(n);
+    }
+
+    static void set(Box& box, std::size_t axis, std::size_t k, const Place& p) {
+        box.side[axis][k] = p.value;
+        box.on[axis][k] = p.on;
+        box.facesOn[axis][k] = p.on >= 0 && p.ahead == (k == 1);
+    }
+
+    /// Where sides across an axis of the face may be, and where they are in pairs: at its borders,
+    /// and where lines along the other axis lie, in the face or at this depth.
+    std::vector<std::array<Place, 2>> pairsAlong(std::size_t axis, double depth) const {
+        const std::size_t other = 1 - axis;
+        const double scale = frame_.across(other, axis);
+        std::vector<Place> lines;
+        for (const BoxLine& l : frame_.lines) {
+            if (l.axis != static_cast<int>(other)) continue;
+            for (const double at : {0.0, depth}) {
+                lines.push_back({(l.offset - at * frame_.across(other, 2)) / scale, l.length});
+            }
+        }
+        std::vector<Place> places = united(lines, std::abs(scale), kMostPlaces);
+        for (const double border : frame_.border[axis]) places.push_back(borderAt(axis, border));
+        std::vector<std::array<Place, 2>> pairs;
+        for (const Place& a : places) {
+            for (const Place& b : places) {
+                if ((b.value - a.value) * frame_.seen[axis] >= 0.5 * distance_) {
+                    pairs.push_back({a, b});
+                }
+            }
+        }
+        return pairs;
+    }
+
+    /// Places that differ by less than the hand's noise are one; those with the most ink.
+    std::vector<Place> united(std::vector<Place> places, double pxPerUnit, std::size_t most) const {
+        std::sort(places.begin(), places.end(),
+                  [](const Place& a, const Place& b) { return a.value < b.value; });
+        std::vector<Place> out;
+        for (const Place& p : places) {
+            if (!out.empty() && (p.value - out.back().value) * pxPerUnit < options_.noisePx) {
+                Place& o = out.back();
+                o.value = (o.value * o.weight + p.value * p.weight) / (o.weight + p.weight);
+                o.weight += p.weight;
+            } else {
+                out.push_back(p);
+            }
+        }
+        std::stable_sort(out.begin(), out.end(),
+                         [](const Place& a, const Place& b) { return a.weight > b.weight; });
+        if (out.size() > most) out.resize(most);
+        return out;
+    }
+
+    /// A border of the face, with the face of the solid that stands upright there, if one does.
+    Place borderAt(std::size_t axis, double value) const {
+        Place place{value, 0.0};
+        const double reach = 1e-6 * frame_.sizePx;
+        for (std::size_t f = 0; f < model_.solid().faces().size(); ++f) {
+            const CameraPlane plane = model_.plane(static_cast<int>(f));
+            const double turn = plane.normal.dot(frame_.axis[axis]);
+            if (std::abs(turn) < 1 - tol::kSolidDirection) continue;
+            const double here = (plane.offset - plane.normal.dot(frame_.origin)) / turn;
+            if (std::abs(here - value) > reach) continue;
+            place.on = static_cast<int>(f);
+            place.ahead = turn > 0;
+            // The face's neighbour over a convex edge counts before what only lies in its plane.
+            if (place.ahead == (value > 0.5 * (frame_.border[axis][0] + frame_.border[axis][1])))
+                return place;
+        }
+        return place;
+    }
+
+    /// Distances of the far side from the face, outwards positive, that some line speaks for: by
+    /// its length along the normal, or by lying that far from another or from the face's border.
+    std::vector<double> depths() const {
+        std::vector<Place> found;
+        const double least = 0.5 * distance_ / frame_.seen[2];
+        const auto add = [&](double depth, double weight) {
+            if (std::abs(depth) >= least) found.push_back({depth, weight});
+        };
+        for (const BoxLine& l : frame_.lines) {
+            if (l.axis == 2) {
+                for (const double sense : {1.0, -1.0})
+                    add(sense * l.length / frame_.seen[2], l.length);
+            }
+            if (l.axis < 0 || l.axis == 2) continue;
+            const auto axis = static_cast<std::size_t>(l.axis);
+            const double scale = frame_.across(axis, 2);
+            for (const BoxLine& m : frame_.lines) {
+                if (m.axis == l.axis)
+                    add((l.offset - m.offset) / scale, std::min(l.length, m.length));
+            }
+            for (const double border : frame_.border[1 - axis]) {
+                add((l.offset - border * frame_.across(axis, 1 - axis)) / scale, l.length);
+            }
+        }
+        std::vector<double> depths;
+        for (const Place& p : united(found, frame_.seen[2], kMostDepths)) depths.push_back(p.value);
+        return depths;
+    }
+
+    /// Sets the cost; false where too little speaks for the box.
+    /// \param closely  asks the model too: an edge of it needs no line.
+    bool rate(Box& box, bool closely) const {
+        auto edges = edgesOf(frame_, box);
+        double strayPx = 0;
+        double cost = takeLines(edges, strayPx);
+        double deep = 0;
+        for (const BoxEdge& e : edges) {
+            const bool far = e.axis == 2 || (e.b == 2 && e.kb == 1) || (e.c == 2 && e.kc == 1);
+            if (far) deep += e.covered;
+            if (e.drawn != Drawn::Surely) continue;
+            const double bare = std::max(0.0, e.to - e.from - e.covered - distance_);
+            if (bare > 0 && !(closely && onModel(e))) cost += barePrice(bare);
+        }
+        box.cost = cost;
+        return deep >= distance_;
+    }
+
+    double barePrice(double px) const { return tol::kExtraEdgeCost * px / (4.0 * distance_); }
+
+    /// Gives every line to the edge that it is nearest to; the cost of how far they are.
+    /// \param strayPx  receives the length of those that are far from all.
+    double takeLines(std::array<BoxEdge, 12>& edges, double& strayPx) const {
+        const double variance = options_.noisePx * options_.noisePx;
+        const double near = std::min(distance_, std::max(0.5 * distance_, 3.0 * options_.noisePx));
+        double cost = 0;
+        strayPx = 0;
+        for (std::size_t i = 0; i < frame_.lines.size(); ++i) {
+            const BoxLine& l = frame_.lines[i];
+            double least = std::min(kStray, l.modelOff * l.modelOff / variance);
+            BoxEdge* best = nullptr;
+            double overlap = 0;
+            for (BoxEdge& e : edges) {
+                if (static_cast<int>(e.axis) != l.axis || e.drawn == Drawn::Never) continue;
+                const double off = l.offset - e.offset;
+                if (off * off >= least * variance || std::abs(off) > distance_) continue;
+                const double shared =
+                    std::min(l.to, e.to + distance_) - std::max(l.from, e.from - distance_);
+                if (shared < 0.7 * l.length) continue;
+                least = off * off / variance;
+                best = &e;
+                overlap = std::min(l.to, e.to) - std::max(l.from, e.from);
+            }
+            if (best == nullptr ? l.modelOff > tol::kAlongModel * distance_
+                                : least * variance > near * near) {
+                strayPx += l.length;
+            }
+            cost += least * std::clamp(l.length / (4.0 * distance_), 0.25, 2.0);
+            if (best == nullptr) continue;
+            best->covered += std::max(0.0, overlap);
+            best->lines.push_back(i);
+        }
+        return cost;
+    }
+
+    /// Runs an edge of the box along edges of the solid that are seen?
+    bool onModel(const BoxEdge& e) const {
+        const Vec2 across = frame_.acrossOf(e.axis);
+        const Vec2 base = frame_.origin.head<2>();
+        for (const double share : {0.15, 0.5, 0.85}) {
+            const double t = e.from + share * (e.to - e.from);
+            const Vec2 p = base + t * frame_.screen[e.axis] + e.offset * across;
+            if (frame_.modelDistance(p) > tol::kAlongModel * distance_) return false;
+        }
+        return true;
+    }
+
+    static constexpr std::size_t kMostPlaces = 7;
+    static constexpr std::size_t kMostDepths = 14;
+    static constexpr std::size_t kLookedAt = 60;
+    static constexpr double kStray = 9.0;  ///< most that a line costs [variances]
+
+    const BoxFrame& frame_;
+    const ModelView& model_;
+    const BoxLayingOptions& options_;
+    double distance_;
+};
+
+/// The template's vertex, by the side of each axis.
+int vertexAt(const RectilinearStructure& r, const std::array<std::size_t, 3>& sides) {
+    for (std::size_t v = 0; v < r.planes[0].size(); ++v) {
+        bool all = true;
+        for (std::size_t a = 0; a < 3; ++a) {
+            all = all && r.planes[a][v] == static_cast<int>(sides[a]);
+        }
+        if (all) return static_cast<int>(v);
+    }
+    return -1;
+}
+
+/// The template's face on one side across an axis.
+int faceAcross(const LibraryEntry& entry, std::size_t axis, std::size_t side) {
+    const auto& planes = entry.analysis.rectilinear->planes[axis];
+    const auto& faces = entry.tmpl.shape.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (std::all_of(faces[f].begin(), faces[f].end(),
+                        [&](int v) { return planes[at(v)] == static_cast<int>(side); })) {
+            return static_cast<int>(f);
+        }
+    }
+    return -1;
+}
+
+/// Which of the template's faces lie in faces of the solid, and which others are seen.
+void Layer::seat(const Box& box, LaidBox& out, const LibraryEntry& entry) const {
+    Aspect aspect;
+    aspect.kind = box.adds() ? AspectKind::Explicit : AspectKind::Cavity;
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const int t = faceAcross(entry, a, box.plane(a, k));
+            if (box.coincides(a, k)) {
+                out.pairs.push_back({t, box.on[a][k]});
+                aspect.mouth.push_back(t);
+            } else if (looksHere(frame_, box, a, k, true)) {
+                aspect.visibleFaces.push_back(t);
+            }
+        }
+    }
+    // The frame's face comes first: it is the one that the box stands on or opens in.
+    std::stable_partition(out.pairs.begin(), out.pairs.end(),
+                          [&](const auto& p) { return p[1] == frame_.face; });
+    std::sort(aspect.visibleFaces.begin(), aspect.visibleFaces.end());
+    std::sort(aspect.mouth.begin(), aspect.mouth.end());
+    aspect.name = box.adds() ? "explicit-" + std::to_string(aspect.visibleFaces.size())
+                             : "cavity-" + std::to_string(aspect.mouth.size());
+    if (box.adds()) aspect.mouth.clear();
+    out.match.aspect = std::make_shared<const Aspect>(std::move(aspect));
+}
+
+std::optional<LaidBox> Layer::lay(const Box& box,
+                                  const std::shared_ptr<const LibraryEntry>& entry) {
+    LaidBox out;
+    auto edges = edgesOf(frame_, box);
+    takeLines(edges, out.strayPx);
+    const RectilinearStructure& r = *entry->analysis.rectilinear;
+    out.operation = box.adds() ? Operation::Add : Operation::Cut;
+    JointGraph joint;
+    std::map<int, int> junctionOf;
+    const auto junction = [&](const std::array<std::size_t, 3>& k) {
+        std::array<std::size_t, 3> sides{};
+        Vec3 p = frame_.origin;
+        for (std::size_t a = 0; a < 3; ++a) {
+            sides[a] = box.plane(a, k[a]);
+            p += box.side[a][k[a]] * frame_.axis[a];
+        }
+        const int v = vertexAt(r, sides);
+        const auto [it, added] = junctionOf.insert({v, static_cast<int>(out.match.vertex.size())});
+        if (added) {
+            out.match.vertex.push_back(v);
+            out.reading.graph.junctions.push_back({p.head<2>()});
+            out.reading.junctionNode.push_back(static_cast<int>(joint.nodes.size()));
+            joint.nodes.push_back({p.head<2>(), -1, -1, true});
+        }
+        return it->second;
+    };
+    for (const BoxEdge& e : edges) {
+        const double length = e.to - e.from;
+        if (e.lines.empty() || e.covered < std::min(distance_, 0.3 * length)) {
+            if (e.drawn == Drawn::Surely && !onModel(e)) {
+                out.price += barePrice(std::max(0.0, length - distance_));
+            }
+            continue;
+        }
+        if (e.drawn == Drawn::Surely && !onModel(e)) {
+            out.price += barePrice(std::max(0.0, length - e.covered - distance_));
+        }
+        std::array<std::size_t, 3> k{};
+        k[e.b] = e.kb;
+        k[e.c] = e.kc;
+        std::array<int, 2> ends{};
+        for (std::size_t s = 0; s < 2; ++s) {
+            k[e.axis] = s;
+            ends[s] = junction(k);
+        }
+        const Vec2 a = out.reading.graph.junctions[at(ends[0])].position;
+        const Vec2 b = out.reading.graph.junctions[at(ends[1])].position;
+        GraphEdge edge = frame_.fitted(e.lines, a, b);
+        edge.ends = ends;
+        out.reading.graph.edges.push_back(std::move(edge));
+        out.reading.edgeModel.push_back(-1);
+        out.match.edge.push_back(entry->analysis.edgeBetween(out.match.vertex[at(ends[0])],
+                                                             out.match.vertex[at(ends[1])]));
+    }
+    if (out.reading.graph.edges.size() < 3) return std::nullopt;
+    seat(box, out, *entry);
+    out.match.entry = entry;
+    out.joint = std::make_shared<const JointGraph>(std::move(joint));
+    return out;
+}
+
+}  // namespace
+
+bool isBox(const LibraryEntry& entry) {
+    return entry.analysis.convex && entry.analysis.rectilinear &&
+           entry.tmpl.shape.vertices.size() == 8;
+}
+
+std::vector<LaidBox> layBoxes(const InkReading& ink, const ModelView& model,
+                              const std::shared_ptr<const LibraryEntry>& entry,
+                              const BoxLayingOptions& options) {
+    struct Found {
+        double cost;
+        LaidBox laid;
+    };
+    std::vector<Found> found;
+    for (const BoxFrame& frame : boxFrames(ink, model, options.thresholds, options.noisePx)) {
+        Layer layer(frame, model, options);
+        std::vector<Box> kept;
+        for (const Box& b : layer.boxes()) {
+            if (kept.size() == options.limit) break;
+            const bool known = std::any_of(kept.begin(), kept.end(),
+                                           [&](const Box& k) { return layer.same(k, b); });
+            if (known) continue;
+            kept.push_back(b);
+            if (auto laid = layer.lay(b, entry)) found.push_back({b.cost, std::move(*laid)});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.cost < b.cost; });
+    std::vector<LaidBox> out;
+    for (Found& f : found) {
+        if (out.size() == options.limit) break;
+        out.push_back(std::move(f.laid));
+    }
+    return out;
+}
+
+}  // namespace ew

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/modeling/box_on_solid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/modeling/placement.h"
+#include "tests/modeling/reading_fixture.h"
+#include "tests/support/modification_cases.h"
+#include "tests/support/random.h"
+
+namespace ew::test {
+namespace {
+
+std::shared_ptr<const LibraryEntry> entryOf(const std::string& id) {
+    const LibraryIndex& index = shippedLibrary().index();
+    return index.entries[static_cast<std::size_t>(index.byId.at(id))];
+}
+
+ModificationCase caseNamed(const std::string& name) {
+    const std::vector<ModificationCase> cases = boxModifications();
+    const auto found = std::find_if(cases.begin(), cases.end(),
+                                    [&](const ModificationCase& c) { return c.name == name; });
+    EXPECT_NE(found, cases.end()) << name;
+    return found == cases.end() ? cases.front() : *found;
+}
+
+/// Every line without its ends: none meets another.
+std::vector<Stroke> shortened(const ModificationCase& c, double share) {
+    std::vector<Stroke> strokes;
+    for (const Line2& l : linesOnPlane(c)) {
+        const Vec2 off = share * (l[1] - l[0]);
+        strokes.push_back(line(l[0] + off, l[1] - off));
+    }
+    return strokes;
+}
+
+struct Laid {
+    std::vector<LaidBox> boxes;
+    ModelView view;
+};
+
+Laid layOn(const ModificationCase& c, const std::vector<Stroke>& strokes) {
+    ModelView view = *ModelView::make(c.target, c.camera);
+    auto boxes = layBoxes(readInk(strokes, 14.0), view, entryOf("cube"), {});
+    return {std::move(boxes), std::move(view)};
+}
+
+TEST(BoxOnSolid, NeedsNoLinesThatMeet) {
+    for (const char* name :
+         {"pocket with its inside", "pocket in the front", "box inside a face",
+          "box on a side face", "square slot by its outline", "square slot with its inside",
+          "edge notch by its outline", "corner notch by its outline",
+          "corner notch with its inner Y", "box flush with one edge", "box flush with two edges",
+          "box hanging over the border", "box over the whole face"}) {
+        SCOPED_TRACE(name);
+        const ModificationCase c = caseNamed(name);
+        const Laid laid = layOn(c, shortened(c, 0.12));
+        ASSERT_FALSE(laid.boxes.empty());
+        const LaidBox& best = laid.boxes.front();
+        EXPECT_EQ(best.operation, c.operation);
+        EXPECT_EQ(best.strayPx, 0.0);
+        const auto placed = placementsOn({best.operation, best.pairs}, *best.joint, best.reading,
+                                         best.match, laid.view, {{}, 1.0, true});
+        ASSERT_FALSE(placed.empty());
+        // Where the pens stopped pulls a little.
+        EXPECT_LT(placed.front().residualPx, 1.0);
+    }
+}
+
+// A box that stands on a face and a pocket in it can be the same twelve lines; which of them are
+// seen tells.
+TEST(BoxOnSolid, APocketIsNoBoxTurnedInsideOut) {
+    for (const char* name : {"pocket in the front", "box on the front"}) {
+        SCOPED_TRACE(name);
+        const ModificationCase c = caseNamed(name);
+        const Laid laid = layOn(c, exactStrokes(linesOnPlane(c)));
+        ASSERT_FALSE(laid.boxes.empty());
+        for (const LaidBox& b : laid.boxes) {
+            if (b.operation == c.operation) continue;
+            EXPECT_GT(b.price + b.strayPx, 10.0);
+        }
+    }
+}
+
+TEST(BoxOnSolid, SaysWhatIsBareAndWhatIsLeftOver) {
+    const ModificationCase c = caseNamed("box inside a face");
+    auto strokes = shortened(c, 0.05);
+    const double whole = layOn(c, strokes).boxes.front().price;
+    EXPECT_EQ(whole, 0.0);
+    const Vec2 a = strokes.back().samples.front().position;
+    const Vec2 b = strokes.back().samples.back().position;
+    // Half of a line is not drawn, and one leads away.
+    strokes.back() = line(a, 0.5 * (a + b));
+    strokes.push_back(line(a + Vec2(-40, 60), a + Vec2(60, 85)));
+    const LaidBox best = layOn(c, strokes).boxes.front();
+    EXPECT_GT(best.price, 0.0);
+    EXPECT_NEAR(best.strayPx, std::hypot(100, 25), 2.0);
+}
+
+TEST(BoxOnSolid, InkBesideTheSolidLaysNothing) {
+    const ModificationCase c = caseNamed("box inside a face");
+    std::vector<Stroke> strokes = shortened(c, 0.0);
+    for (Stroke& s : strokes) {
+        for (PenSample& p : s.samples) p.position += Vec2(2000, 0);
+    }
+    EXPECT_TRUE(layOn(c, strokes).boxes.empty());
+}
+
+TEST(BoxOnSolid, OnlyBoxesAreLaid) {
+    EXPECT_TRUE(isBox(*entryOf("cube")));
+    for (const char* id : {"triangular-prism", "triangular-pyramid", "wedge-frustum", "l-prism"}) {
+        EXPECT_FALSE(isBox(*entryOf(id))) << id;
+    }
+}
+
+// Ends of a rough hand lie so far apart that joining them leads to nothing.
+TEST(BoxOnSolid, RoughPocketsAndBoxesAreRead) {
+    for (const char* name : {"pocket in the front", "box on the front"}) {
+        const ModificationCase c = caseNamed(name);
+        InterpretOptions o;
+        o.camera = c.camera;
+        o.bodies = {c.target};
+        int right = 0;
+        for (std::uint64_t i = 0; i < 12; ++i) {
+            Random hand(Random::mix(17, i));
+            const Interpretation r =
+                interpret(drawByHand(linesOnPlane(c), kRoughHand, hand), shippedLibrary(), o);
+            if (!r.accepted) continue;
+            const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+            right += k.result && k.operation == c.operation &&
+                     static_cast<int>(k.result->faces().size()) == c.faces;
+        }
+        EXPECT_GE(right, 10) << name;
+    }
+}
+
+}  // namespace
+}  // namespace ew::test
