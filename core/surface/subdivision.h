@@ -19,7 +19,7 @@ struct SurfaceMesh {
     std::vector<Vec3> normals;                        ///< unit limit normals, outward
     std::vector<std::array<int, 3>> normalTriangles;  ///< normals, by triangle; empty where normal
                                                       ///< i belongs to position i (no sharp crease)
-    std::vector<int> origin;  ///< by triangle: face of the control cage
+    std::vector<int> origin;                          ///< by triangle: face of the control cage
 
     /// The normal at a corner (0..2) of a triangle.
     const Vec3& normal(std::size_t triangle, std::size_t corner) const {
