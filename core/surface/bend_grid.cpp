@@ -65,6 +65,29 @@ bool differ(const std::array<Vec3, kBendPoints>& derivatives, std::size_t step, 
     return false;
 }
 
+using CellCorners = std::array<SurfacePoint, 4>;
+
+/// Distance of the points of a cell from its two triangles' planes, each from its own.
+template <class Points>
+double cellDeviation(const CellCorners& corners, int across, int along, const Points& inside) {
+    // Turned by a corner where the other diagonal is the better one.
+    const std::size_t turn = turnsLess(corners[0], corners[2], corners[1], corners[3]) ? 0 : 1;
+    const Vec3& a = corners[turn].position;
+    const Vec3 diagonal = corners[turn + 2].position - a;
+    const Vec3 right = (corners[turn + 1].position - a).cross(diagonal).normalized();
+    const Vec3 left = diagonal.cross(corners[(turn + 3) % 4].position - a).normalized();
+    double most = 0.0;
+    for (int q = 0; q <= along; ++q) {
+        for (int p = 0; p <= across; ++p) {
+            const Vec3 offset = inside(p, q) - a;
+            const int side = turn == 0 ? q * across - p * along : (across - p) * along - q * across;
+            if (side <= 0) most = std::max(most, std::abs(right.dot(offset)));
+            if (side >= 0) most = std::max(most, std::abs(left.dot(offset)));
+        }
+    }
+    return most;
+}
+
 }  // namespace
 
 BendGrid::BendGrid(std::span<const Vec3> points) : points_(points) {
@@ -84,43 +107,29 @@ BendGrid::BendGrid(std::span<const Vec3> points) : points_(points) {
         const double least = kLeastSine * kLeastSine * du[i].squaredNorm() * dv[i].squaredNorm();
         const double length = normals_[i].squaredNorm();
         normals_[i] = length > least ? Vec3(normals_[i] / std::sqrt(length)) : middle;
+        folded_ = folded_ || normals_[i].dot(middle) < 0.0;
         const Vec3 n = kPerSide * normals_[i];
         bends_[i] = {n.dot(duu[i]), n.dot(duv[i]), n.dot(dvv[i])};
     }
 }
 
-double BendGrid::deviation(int nu, int nv) const {
-    const int across = kCells / nu;
-    const int along = kCells / nv;
+double BendGrid::deviation(std::span<const Vec3> points, int cells, int nu, int nv) const {
+    const int across = cells / nu;
+    const int along = cells / nv;
     double most = 0.0;
-    for (int k = 0; k < kCells; k += along) {
-        for (int i = 0; i < kCells; i += across) {
-            most = std::max(most, cellDeviation(i, k, across, along));
-        }
-    }
-    return most;
-}
-
-/// Distance of the points of a cell from its two triangles' planes, each from its own.
-double BendGrid::cellDeviation(int i, int k, int across, int along) const {
-    const std::array<std::size_t, 4> corners{index(i, k), index(i + across, k),
-                                             index(i + across, k + along), index(i, k + along)};
-    const auto end = [&](std::size_t c) {
-        return SurfacePoint{points_[corners[c]], normals_[corners[c]]};
-    };
-    // Turned by a corner where the other diagonal is the better one.
-    const std::size_t turn = turnsLess(end(0), end(2), end(1), end(3)) ? 0 : 1;
-    const Vec3& a = points_[corners[turn]];
-    const Vec3& b = points_[corners[turn + 2]];
-    const Vec3 right = (points_[corners[turn + 1]] - a).cross(b - a).normalized();
-    const Vec3 left = (b - a).cross(points_[corners[(turn + 3) % 4]] - a).normalized();
-    double most = 0.0;
-    for (int q = 0; q <= along; ++q) {
-        for (int p = 0; p <= across; ++p) {
-            const Vec3 offset = points_[index(i + p, k + q)] - a;
-            const int side = turn == 0 ? q * across - p * along : (across - p) * along - q * across;
-            if (side <= 0) most = std::max(most, std::abs(right.dot(offset)));
-            if (side >= 0) most = std::max(most, std::abs(left.dot(offset)));
+    for (int k = 0; k < cells; k += along) {
+        for (int i = 0; i < cells; i += across) {
+            const auto end = [&](int a, int b) {
+                const auto p = static_cast<std::size_t>(a + (cells + 1) * b);
+                return SurfacePoint{points[p],
+                                    normals_[index(a * kCells / cells, b * kCells / cells)]};
+            };
+            const CellCorners corners{end(i, k), end(i + across, k), end(i + across, k + along),
+                                      end(i, k + along)};
+            const auto inside = [&](int p, int q) -> const Vec3& {
+                return points[static_cast<std::size_t>(i + p + (cells + 1) * (k + q))];
+            };
+            most = std::max(most, cellDeviation(corners, across, along, inside));
         }
     }
     return most;

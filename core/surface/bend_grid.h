@@ -16,12 +16,15 @@ struct Bend {
     double uv = 0.0;
     double vv = 0.0;
 
+    /// By the directions the other way round.
     Bend turned() const { return {vv, uv, uu}; }
     Bend scaled(double s) const { return {s * uu, s * uv, s * vv}; }
-    /// Needs at least as many pieces as another, whatever these are.
+    /// Needs at least as many pieces as another, whatever these are, but for a few percent.
     bool covers(const Bend& o) const {
-        return std::abs(uu) >= std::abs(o.uu) && std::abs(uv) >= std::abs(o.uv) &&
-               std::abs(vv) >= std::abs(o.vv) && (uu * vv >= 0.0 || o.uu * o.vv <= 0.0);
+        constexpr double kNearly = 0.97;
+        return std::abs(uu) >= kNearly * std::abs(o.uu) &&
+               std::abs(uv) >= kNearly * std::abs(o.uv) &&
+               std::abs(vv) >= kNearly * std::abs(o.vv) && (uu * vv >= 0.0 || o.uu * o.vv <= 0.0);
     }
 };
 
@@ -36,12 +39,15 @@ class BendGrid {
 
     const Bend& bend(int i, int k) const { return bends_[index(i, k)]; }
 
-    /// Distance of the points from the triangles of nu x nv cells, these being 1 or 2 each: what
-    /// bends ask for is too much where they are not the same everywhere.
-    double deviation(int nu, int nv) const;
+    /// Distance of points from the triangles of nu x nv cells, these being 1 or 2 each: what bends
+    /// ask for is too much where they are not the same everywhere.
+    /// \param points  of the same domain, row by row, `cells` + 1 a side; `cells` is even.
+    double deviation(std::span<const Vec3> points, int cells, int nu, int nv) const;
 
     /// Points are spaced so unevenly that bends between them can be larger than at them.
     bool uneven() const { return uneven_; }
+    /// The surface turns back within the domain.
+    bool folded() const { return folded_; }
 
     /// Largest second derivative of a border curve, across the curve: how its points are spaced is
     /// no bend. \param side  0 (along u, v = 0) .. 3, counter-clockwise.
@@ -53,11 +59,11 @@ class BendGrid {
     static std::size_t index(int i, int k) {
         return static_cast<std::size_t>(i + (kBendCells + 1) * k);
     }
-    double cellDeviation(int i, int k, int across, int along) const;
 
     std::span<const Vec3> points_;
     Values normals_;
     bool uneven_ = false;
+    bool folded_ = false;
     std::array<Bend, kBendPoints> bends_;
 };
 

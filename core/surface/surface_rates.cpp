@@ -18,6 +18,9 @@ constexpr double kReserveIrregular = 1.25;
 constexpr double kReserveAtPeaks = 1.35;
 constexpr double kReserveUneven = 1.45;
 constexpr double kReserveIrregularUneven = 1.6;
+constexpr double kReserveFolded = 2.5;
+constexpr double kReserveTried = 1.15;
+constexpr double kReserveUnevenTried = 1.4;
 /// How much farther than from the surface the pieces of a smooth edge may be from its curve, which
 /// is along the surface.
 constexpr double kAlongSurface = 10.0;
@@ -26,6 +29,11 @@ constexpr double kAlongSurface = 10.0;
 constexpr double kPeakPower = 0.5;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// One cell is within the tolerance, whatever its diagonal.
+bool isFlat(const Bend& b, double tolerance) {
+    return std::abs(b.uu) + 2.0 * std::abs(b.uv) + std::abs(b.vv) <= 8.0 * tolerance;
+}
 
 /// Bends at the points of a square domain.
 class BendField {
@@ -48,44 +56,35 @@ class BendField {
         bends_[corners[corner]] = bends_[corners[corner]].scaled(scale);
     }
 
-    /// One cell is within the tolerance, whatever its diagonal.
     bool flat(double tolerance) const {
-        return std::all_of(bends_.begin(), bends_.end(), [&](const Bend& b) {
-            return std::abs(b.uu) + 2.0 * std::abs(b.uv) + std::abs(b.vv) <= 8.0 * tolerance;
-        });
+        return std::all_of(bends_.begin(), bends_.end(),
+                           [&](const Bend& b) { return isFlat(b, tolerance); });
     }
 
-    /// The bends of columns i0..i1 and rows k0..k1 that are not covered by others of them.
-    std::vector<Bend> bends(int i0, int i1, int k0, int k1) const {
+    /// The bends that decide: neither flat nor covered by others.
+    std::vector<Bend> bends(double tolerance) const {
         std::vector<Bend> out;
-        const auto add = [&](int i, int k) {
-            const Bend& bend = bends_[index(i, k)];
+        for (const Bend& bend : bends_) {
+            if (isFlat(bend, tolerance)) continue;
             const auto covers = [&](const Bend& other) { return other.covers(bend); };
-            if (std::any_of(out.begin(), out.end(), covers)) return;
+            if (std::any_of(out.begin(), out.end(), covers)) continue;
             std::erase_if(out, [&](const Bend& other) { return bend.covers(other); });
             out.push_back(bend);
-        };
-        // Corners cover most.
-        for (const int k : {k0, k1}) {
-            for (const int i : {i0, i1}) add(i, k);
-        }
-        for (int k = k0; k <= k1; ++k) {
-            for (int i = i0; i <= i1; ++i) add(i, k);
         }
         return out;
     }
-    std::vector<Bend> bends() const { return bends(0, side_ - 1, 0, side_ - 1); }
 
-    /// Those of the half beside an edge, by the directions along it and away from it.
-    std::vector<Bend> beside(int edge) const {
-        const int last = side_ - 1;
-        const int half = last / 2;
-        if (edge == 0) return bends(0, last, 0, half);
-        if (edge == 2) return bends(0, last, last - half, last);
-        std::vector<Bend> out =
-            edge == 1 ? bends(last - half, last, 0, last) : bends(0, half, 0, last);
-        for (Bend& b : out) b = b.turned();
-        return out;
+    /// Calls visit(bend), by the directions along an edge and away from it, for the half beside it.
+    template <class Visit>
+    void beside(int edge, Visit&& visit) const {
+        const int half = (side_ - 1) / 2;
+        const int first = edge == 1 || edge == 2 ? side_ - 1 - half : 0;
+        for (int away = first; away <= first + half; ++away) {
+            for (int along = 0; along < side_; ++along) {
+                if (edge % 2 == 0) visit(bends_[index(along, away)]);
+                if (edge % 2 == 1) visit(bends_[index(away, along)].turned());
+            }
+        }
     }
 
   private:
@@ -190,15 +189,13 @@ std::array<double, 2> piecesByBend(const std::vector<Bend>& bends, double tolera
     return fewAlongV ? best : std::array<double, 2>{best[1], best[0]};
 }
 
-/// Pieces along u and v.
-std::array<double, 2> pieces(const BendGrid& grid, const std::vector<Bend>& bends,
-                             double tolerance) {
+/// Pieces along u and v. \param few  tells whether nu x nv cells, 1 or 2 each, are near enough.
+template <class Few>
+std::array<double, 2> pieces(const std::vector<Bend>& bends, double tolerance, const Few& few) {
     if (worstCell(bends, 1.0, 1.0) <= tolerance) return {1.0, 1.0};
-    // Few pieces are tried.
     constexpr double kWorthTrying = 4.0;
     const auto tryThem = [&](int nu, int nv) {
-        return worstCell(bends, nu, nv) <= kWorthTrying * tolerance &&
-               grid.deviation(nu, nv) <= tolerance;
+        return worstCell(bends, nu, nv) <= kWorthTrying * tolerance && few(nu, nv);
     };
     if (tryThem(1, 1)) return {1.0, 1.0};
     const auto out = piecesByBend(bends, tolerance);
@@ -209,17 +206,18 @@ std::array<double, 2> pieces(const BendGrid& grid, const std::vector<Bend>& bend
     return out;
 }
 
-/// Pieces along u at an edge, where the row beside it has nv along v and its triangles are cut
-/// along either diagonal.
-double edgePieces(const std::vector<Bend>& bends, double nv, double tolerance) {
+/// Pieces along an edge, where the row beside it is one of n and its triangles are cut along either
+/// diagonal.
+double edgePieces(const BendField& field, int edge, double n, double tolerance) {
     double most = 1.0;
-    for (const Bend& bend : bends) {
-        const double room = 8.0 * tolerance - std::abs(bend.vv) / (nv * nv);
-        const double mixed = std::abs(bend.uv) / nv;
+    field.beside(edge, [&](const Bend& bend) {
+        if (isFlat(bend, tolerance)) return;
+        const double room = 8.0 * tolerance - std::abs(bend.vv) / (n * n);
+        const double mixed = std::abs(bend.uv) / n;
         // |uu| x^2 + 2 mixed x = room for the length x of a piece.
         const double root = std::sqrt(mixed * mixed + std::abs(bend.uu) * std::max(room, 0.0));
         most = std::max(most, (mixed + root) / std::max(room, 1e-3 * tolerance));
-    }
+    });
     return most;
 }
 
@@ -236,12 +234,9 @@ class QuadSamples {
 
     BendGrid whole() const { return BendGrid(dense_ ? std::span<const Vec3>(whole_) : points_); }
 
-    BendField field(const BendGrid& whole) const {
-        BendField out(dense_ ? 2 : 1);
-        if (!dense_) {
-            out.put(whole, 0, 0, 1.0);
-            return out;
-        }
+    /// \pre sampled twice as densely.
+    BendField quarters() const {
+        BendField out(2);
         std::array<Vec3, kBendPoints> quarter;
         for (int row = 0; row < 2; ++row) {
             for (int column = 0; column < 2; ++column) {
@@ -278,46 +273,62 @@ bool hasPeak(const FaceSamples& face) {
     return std::find(face.peaks.begin(), face.peaks.end(), true) != face.peaks.end();
 }
 
-double reserve(const FaceSamples& face, bool uneven) {
-    if (face.regular) return uneven ? kReserveUneven : kReserve;
-    if (uneven) return kReserveIrregularUneven;
+double reserve(const FaceSamples& face, const BendGrid& grid) {
+    if (grid.folded()) return kReserveFolded;
+    if (face.regular) return grid.uneven() ? kReserveUneven : kReserve;
+    if (grid.uneven()) return kReserveIrregularUneven;
     return hasPeak(face) ? kReserveAtPeaks : kReserveIrregular;
+}
+
+/// Pieces inside a quadrangle that one cell does not do for.
+void divide(const FaceSamples& face, const BendGrid& grid, double tolerance, BendField& field,
+            FaceRates& out) {
+    const double tried =
+        tolerance * reserve(face, grid) / (grid.uneven() ? kReserveUnevenTried : kReserveTried);
+    const auto few = [&](int nu, int nv) {
+        const int cells = face.points.size() > kBendPoints ? 2 * kBendCells : kBendCells;
+        return !grid.folded() && grid.deviation(face.points, cells, nu, nv) <= tried;
+    };
+    std::vector<Bend> bends = field.bends(tolerance);
+    out.inner = pieces(bends, tolerance, few);
+    const double peak = peakFactor(std::max(out.inner[0], out.inner[1]));
+    if (peak > 1.0 && hasPeak(face)) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (face.peaks[k]) field.scaleCorner(k, peak);
+        }
+        bends = field.bends(tolerance);
+        out.inner = pieces(bends, tolerance, few);
+    }
+    constexpr double kMostStitched = 2.0;
+    const double more =
+        std::sqrt(std::min(kMostStitched, stitchFactor(bends, out.inner[0], out.inner[1])));
+    out.stitched = {std::round(more * out.inner[0]), std::round(more * out.inner[1])};
 }
 
 FaceRates quadRates(const FaceSamples& face, double tolerance) {
     const QuadSamples samples(face.points);
     const BendGrid grid = samples.whole();
-    tolerance /= reserve(face, grid.uneven());
-    BendField field = samples.field(grid);
+    tolerance /= reserve(face, grid);
     FaceRates out;
-    out.inner = {1.0, 1.0};
+    out.inner = out.stitched = {1.0, 1.0};
     out.edges.assign(4, 1.0);
-    const bool flat = field.flat(tolerance);
+    // So little bend is none between the points either.
+    constexpr double kNone = 0.02;
+    BendField field(1);
+    field.put(grid, 0, 0, 1.0);
+    bool flat = field.flat(kNone * tolerance);
     if (!flat) {
-        std::vector<Bend> bends = field.bends();
-        out.inner = pieces(grid, bends, tolerance);
-        const double peak = peakFactor(std::max(out.inner[0], out.inner[1]));
-        if (peak > 1.0 && hasPeak(face)) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (face.peaks[k]) field.scaleCorner(k, peak);
-            }
-            bends = field.bends();
-            out.inner = pieces(grid, bends, tolerance);
-        }
-        constexpr double kMostStitched = 2.0;
-        const double more =
-            std::sqrt(std::min(kMostStitched, stitchFactor(bends, out.inner[0], out.inner[1])));
-        out.stitched = {std::round(more * out.inner[0]), std::round(more * out.inner[1])};
-    } else {
-        out.stitched = out.inner;
+        if (face.points.size() > kBendPoints) field = samples.quarters();
+        flat = field.flat(tolerance);
     }
+    if (!flat) divide(face, grid, tolerance, field, out);
     for (int side = 0; side < 4; ++side) {
         double& rate = out.edges[at(side)];
         // Rows beside an edge are as high as those inside. Where the edge is cut as they are, its
         // cells are like theirs.
         const double along = out.inner[side % 2 == 0 ? 0 : 1];
         const double away = out.inner[side % 2 == 0 ? 1 : 0];
-        if (!flat) rate = std::min(edgePieces(field.beside(side), away, tolerance), along);
+        if (!flat) rate = std::min(edgePieces(field, side, away, tolerance), along);
         if (!flat || face.hard[at(side)]) {
             const double room = face.hard[at(side)] ? tolerance : kAlongSurface * tolerance;
             rate = std::max(rate, curvePieces(grid.curve(side), room));
@@ -347,13 +358,13 @@ FaceRates evenRates(const FaceSamples& face, std::size_t corners, double toleran
         BendField field(1);
         // Derivatives by the half side are a quarter of those by the side.
         field.put(grid, 0, 0, 4.0);
-        double pieceCount = evenPieces(field.bends(), tolerance);
+        double pieceCount = evenPieces(field.bends(tolerance), tolerance);
         const double peak = peakFactor(pieceCount);
         if (peak > 1.0) {
             // Round the middle of a polygon there are as many faces as it has corners.
             if (corners > 4) field.scaleCorner(2, peak);
             if (face.peaks[k]) field.scaleCorner(0, peak);
-            pieceCount = evenPieces(field.bends(), tolerance);
+            pieceCount = evenPieces(field.bends(tolerance), tolerance);
         }
         most = std::max(most, pieceCount);
         // A corner has its own edge along s and the one before along t.
@@ -408,7 +419,10 @@ std::vector<Vec2> rateSamples(const Parameterization& face, bool regular) {
 
 FaceRates facePieces(const Parameterization& face, const FaceSamples& samples, double tolerance) {
     if (face.GetType() == Parameterization::QUAD) return quadRates(samples, tolerance);
-    return evenRates(samples, at(face.GetFaceSize()), tolerance / reserve(samples, false));
+    const double kept = samples.regular    ? kReserve
+                        : hasPeak(samples) ? kReserveAtPeaks
+                                           : kReserveIrregular;
+    return evenRates(samples, at(face.GetFaceSize()), tolerance / kept);
 }
 
 }  // namespace ew
