@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/surface/cage_edges.h"
+#include "core/surface/flat_parts.h"
 #include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
 #include "core/surface/surface_pattern.h"
@@ -64,6 +65,7 @@ class Tessellator {
             if (lost_) return noSurface(f);
         }
         mendNormals();
+        unfoldFlatParts(cage_, out_);
         return std::move(out_);
     }
 
