@@ -149,6 +149,47 @@ class FlatParts {
         return out;
     }
 
+    /// By the number of sides that a ray in the plane crosses; false at a side, too.
+    bool isInside(int point, const std::vector<std::vector<int>>& loops, const Vec3& normal) const {
+        const Vec3 along = normal.unitOrthogonal();
+        const Vec3 across = normal.cross(along);
+        const Vec3& p = surface_.positions[at(point)];
+        bool in = false;
+        for (const auto& loop : loops) {
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const Vec3 a = surface_.positions[at(loop[k])] - p;
+                const Vec3 b = surface_.positions[at(loop[(k + 1) % loop.size()])] - p;
+                const double length = (b - a).squaredNorm();
+                const double t = length > 0.0 ? std::clamp(-a.dot(b - a) / length, 0.0, 1.0) : 0.0;
+                if ((a + t * (b - a)).norm() <= room_) return false;
+                const double ya = across.dot(a);
+                const double yb = across.dot(b);
+                if ((ya > 0.0) == (yb > 0.0)) continue;
+                const double xa = along.dot(a);
+                if (xa + ya / (ya - yb) * (along.dot(b) - xa) > 0.0) in = !in;
+            }
+        }
+        return in;
+    }
+
+    /// Moves a point into the middle of the largest triangle, which is on the surface as well.
+    void splitLargest(int point, std::vector<std::array<int, 3>>& triangles) {
+        const auto corner = [&](const std::array<int, 3>& t, std::size_t k) -> const Vec3& {
+            return surface_.positions[at(t[k])];
+        };
+        const auto area = [&](const std::array<int, 3>& t) {
+            return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).squaredNorm();
+        };
+        const auto largest =
+            std::max_element(triangles.begin(), triangles.end(),
+                             [&](const auto& s, const auto& t) { return area(s) < area(t); });
+        const std::array<int, 3> t = *largest;
+        surface_.positions[at(point)] = (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3.0;
+        *largest = {t[0], t[1], point};
+        triangles.push_back({t[1], t[2], point});
+        triangles.push_back({t[2], t[0], point});
+    }
+
     void cutAnew(const Part& part) {
         const auto loops = border(part);
         if (loops.empty()) return;
@@ -169,9 +210,16 @@ class FlatParts {
             return std::binary_search(onBorder.begin(), onBorder.end(), point);
         });
         std::sort(inside.begin(), inside.end());
+        std::vector<int> beyond;
+        std::erase_if(inside, [&](int point) {
+            if (isInside(point, loops, part.normal)) return false;
+            beyond.push_back(point);
+            return true;
+        });
         const std::vector<std::span<const int>> spans(loops.begin(), loops.end());
-        const auto cut = triangulatePlanar(surface_.positions, spans, part.normal, inside);
-        if (!cut || cut->size() != part.triangles.size()) return;
+        auto cut = triangulatePlanar(surface_.positions, spans, part.normal, inside);
+        if (!cut || cut->size() + 2 * beyond.size() != part.triangles.size()) return;
+        for (const int point : beyond) splitLargest(point, *cut);
         for (std::size_t k = 0; k < cut->size(); ++k) {
             const std::size_t t = part.triangles[k];
             surface_.triangles[t] = (*cut)[k];

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/surface/cage_edges.h"
+#include "core/surface/chord_flips.h"
 #include "core/surface/flat_parts.h"
 #include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
@@ -65,6 +66,7 @@ class Tessellator {
             if (lost_) return noSurface(f);
         }
         mendNormals();
+        if (adaptive()) flipCrossingChords(out_);
         unfoldFlatParts(cage_, out_);
         return std::move(out_);
     }

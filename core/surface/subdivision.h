@@ -42,7 +42,8 @@ struct SubdivisionOptions {
 /// level 0 the cage's own). Adaptive: each edge of the cage gets as many pieces as its curve and
 /// its two faces need, so that neighbours agree; the inside of a face as many as it needs. Vertices
 /// of both lie on the limit surface, normals are exact; where an infinitely sharp edge or corner
-/// is, every side has its own normal.
+/// is, every side has its own normal. Where the parameters of a flat part run backwards, its
+/// triangles are cut anew over the same points; those beyond its border are moved into it.
 ///
 /// \pre the cage is closed and oriented (checked).
 /// Errors: BadValue for options out of range or a cage that the scheme cannot use (Loop needs

@@ -234,6 +234,39 @@ TEST(Subdivision, PlanesKeepTheirNormalWhereTheirPiecesAreSlivers) {
     EXPECT_GT(points, 10000);
 }
 
+/// Triangles that run backwards although the surface is flat there.
+int foldedTriangles(const SurfaceMesh& surface) {
+    int folded = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
+        };
+        const Vec3 area = (at(1) - at(0)).cross(at(2) - at(0));
+        const bool flat = surface.normal(t, 0).dot(surface.normal(t, 1)) > 1.0 - 1e-9 &&
+                          surface.normal(t, 1).dot(surface.normal(t, 2)) > 1.0 - 1e-9;
+        if (flat && area.dot(surface.normal(t, 0)) < 0.0) ++folded;
+    }
+    return folded;
+}
+
+TEST(Subdivision, FlatPartsHaveNoFoldsBesideSlivers) {
+    for (std::uint64_t number = 0; number < 60; ++number) {
+        Random random(Random::mix(number, 5));
+        const Solid solid = randomModifiedSolid(8, random);
+        const double size = (solid.bounds()[1] - solid.bounds()[0]).norm();
+        const auto cage = fillet(solid, allEdges(solid, 0.005 * size, 2));
+        ASSERT_TRUE(cage);
+        const ControlCage control = controlOf(*cage);
+        for (const int levels : {1, 2}) {
+            SubdivisionOptions options;
+            options.levels = levels;
+            const SurfaceMesh surface = surfaceOf(control, options);
+            EXPECT_TRUE(checkClosed(asMesh(surface)));
+            EXPECT_EQ(foldedTriangles(surface), 0) << number << ", " << levels;
+        }
+    }
+}
+
 TEST(Subdivision, SeveralShellsAreOneSurface) {
     PolyhedronSpec spec = boxSpec({0, 0, 0}, {1, 1, 1});
     const PolyhedronSpec other = boxSpec({3, 0, 0}, {4, 1, 1});
