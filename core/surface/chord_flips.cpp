@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -65,9 +66,21 @@ class ChordFlips {
                normal(normals[2]).dot(normal(normals[0])) > kAlike;
     }
 
+    /// Among all triangles, and later among those that the last pass had to do with.
     void findFlips() {
+        std::vector<std::size_t> among;
+        if (isFirst_) {
+            among.resize(surface_.triangles.size());
+            std::iota(among.begin(), among.end(), std::size_t{0});
+        } else {
+            for (const Flip& flip : flips_) among.push_back(flip.triangle);
+            among.insert(among.end(), touched_.begin(), touched_.end());
+            std::sort(among.begin(), among.end());
+            among.erase(std::unique(among.begin(), among.end()), among.end());
+        }
+        isFirst_ = false;
         flips_.clear();
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+        for (const std::size_t t : among) {
             if (facing(ids(t), normalIds(t)) >= 0 || !alike(normalIds(t))) continue;
             const auto length = [&](std::size_t side) {
                 return (point(ids(t)[(side + 1) % 3]) - point(ids(t)[side])).squaredNorm();
@@ -84,19 +97,23 @@ class ChordFlips {
     void findNeighbours() {
         beyond_.clear();
         joined_.clear();
-        std::unordered_set<int> tips;
+        // Most points have to do with nothing of this.
+        std::vector<bool> isTip(surface_.positions.size(), false);
+        std::vector<bool> isEnd(surface_.positions.size(), false);
         for (const Flip& flip : flips_) {
             const Ids& t = ids(flip.triangle);
             beyond_[key(t[(flip.side + 1) % 3], t[flip.side])] = -1;
-            tips.insert(t[(flip.side + 2) % 3]);
+            isEnd[at(t[flip.side])] = isEnd[at(t[(flip.side + 1) % 3])] = true;
+            isTip[at(t[(flip.side + 2) % 3])] = true;
         }
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = ids(t)[k];
                 const int b = ids(t)[(k + 1) % 3];
+                if (isTip[at(a)]) joined_.insert(key(a, b));
+                if (!isEnd[at(a)] || !isEnd[at(b)]) continue;
                 const auto it = beyond_.find(key(a, b));
                 if (it != beyond_.end()) it->second = static_cast<int>(t);
-                if (tips.contains(a)) joined_.insert(key(a, b));
             }
         }
         touched_.clear();
@@ -137,6 +154,7 @@ class ChordFlips {
     }
 
     SurfaceMesh& surface_;
+    bool isFirst_ = true;
     std::vector<Flip> flips_;
     std::unordered_map<std::uint64_t, int> beyond_;  ///< by side: the triangle that has it
     std::unordered_set<std::uint64_t> joined_;       ///< sides that leave tips
@@ -146,7 +164,7 @@ class ChordFlips {
 }  // namespace
 
 void flipCrossingChords(SurfaceMesh& surface) {
-    constexpr int kPasses = 8;
+    constexpr int kPasses = 4;
     ChordFlips flips(surface);
     for (int pass = 0; pass < kPasses && flips.pass(); ++pass) {
     }

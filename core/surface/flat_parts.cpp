@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/tolerance.h"
 #include "core/surface/planar_triangulation.h"
@@ -20,17 +21,10 @@ std::uint64_t key(int a, int b) {
            static_cast<std::uint32_t>(b);
 }
 
-/// The flat triangles of one face of the filleted cage that hang together.
-struct Part {
-    Vec3 normal = Vec3::Zero();
-    std::vector<std::size_t> triangles;
-    bool folded = false;
-};
-
 class FlatParts {
   public:
     FlatParts(const ControlCage& cage, SurfaceMesh& surface) : cage_(cage), surface_(surface) {
-        Box3 box;
+        Eigen::AlignedBox3d box;
         for (const Vec3& p : cage.mesh.points) box.extend(p);
         room_ = tol::kSamePlaneRelative * box.diagonal().norm();
         for (int f = 0; f < cage.mesh.faceCount(); ++f) {
@@ -39,16 +33,15 @@ class FlatParts {
     }
 
     void unfold() {
-        for (const int face : foldedFaces()) {
-            for (const Part& part : parts(face)) {
-                if (part.folded) cutAnew(part);
-            }
+        const std::vector<int> folded = foldedFaces();
+        if (folded.empty()) return;
+        findNeighbours();
+        for (const int face : folded) {
+            if (isFolded(face)) unfold(face);
         }
     }
 
   private:
-    using Box3 = Eigen::AlignedBox3d;
-
     /// In the plane of its control polygon.
     bool isFlat(std::size_t t) const {
         const int face = surface_.origin[t];
@@ -58,66 +51,74 @@ class FlatParts {
             return std::abs(normal.dot(surface_.positions[at(i)] - on)) <= room_;
         });
     }
-    bool runsBackwards(std::size_t t, const Vec3& normal) const {
+    bool runsBackwards(std::size_t t) const {
         const auto& corners = surface_.triangles[t];
         const Vec3& a = surface_.positions[at(corners[0])];
         const Vec3 area =
             (surface_.positions[at(corners[1])] - a).cross(surface_.positions[at(corners[2])] - a);
-        return area.dot(normal) < 0.0;
+        return area.dot(normals_[at(surface_.origin[t])]) < 0.0;
     }
 
-    /// Faces of the filleted cage with flat triangles that run backwards.
+    /// Faces of the control cage with flat triangles that run backwards.
     std::vector<int> foldedFaces() const {
         std::vector<int> out;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            if (!runsBackwards(t, normals_[at(surface_.origin[t])]) || !isFlat(t)) continue;
-            out.push_back(cage_.origin[at(surface_.origin[t])]);
+            const int face = surface_.origin[t];
+            const bool known = !out.empty() && out.back() == face;
+            if (!known && runsBackwards(t) && isFlat(t)) out.push_back(face);
         }
-        std::sort(out.begin(), out.end());
-        out.erase(std::unique(out.begin(), out.end()), out.end());
         return out;
     }
 
-    std::vector<Part> parts(int face) const {
-        std::vector<std::size_t> flat;
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            if (cage_.origin[at(surface_.origin[t])] == face && isFlat(t)) flat.push_back(t);
+    void findNeighbours() {
+        const PolyMesh& mesh = cage_.mesh;
+        facesAt_.resize(mesh.points.size());
+        for (int f = 0; f < mesh.faceCount(); ++f) {
+            for (const int point : mesh.outline(f)) facesAt_[at(point)].push_back(f);
         }
-        std::unordered_map<std::uint64_t, std::size_t> left;
-        for (std::size_t k = 0; k < flat.size(); ++k) {
-            const auto& t = surface_.triangles[flat[k]];
-            for (std::size_t c = 0; c < 3; ++c) left[key(t[c], t[(c + 1) % 3])] = k;
+        // Triangles of a face follow each other.
+        firstTriangle_.assign(at(mesh.faceCount()) + 1, 0);
+        for (const int face : surface_.origin) ++firstTriangle_[at(face) + 1];
+        std::partial_sum(firstTriangle_.begin(), firstTriangle_.end(), firstTriangle_.begin());
+    }
+
+    template <class Test>
+    bool anyTriangle(int face, const Test& test) const {
+        for (std::size_t t = firstTriangle_[at(face)]; t < firstTriangle_[at(face) + 1]; ++t) {
+            if (test(t)) return true;
         }
-        std::vector<Part> out;
-        std::vector<bool> seen(flat.size(), false);
-        for (std::size_t first = 0; first < flat.size(); ++first) {
-            if (seen[first]) continue;
-            seen[first] = true;
-            Part part;
-            part.normal = normals_[at(surface_.origin[flat[first]])];
-            std::vector<std::size_t> open{first};
-            while (!open.empty()) {
-                const std::size_t k = open.back();
-                open.pop_back();
-                part.triangles.push_back(flat[k]);
-                part.folded = part.folded || runsBackwards(flat[k], part.normal);
-                const auto& t = surface_.triangles[flat[k]];
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const auto beyond = left.find(key(t[(c + 1) % 3], t[c]));
-                    if (beyond == left.end() || seen[beyond->second]) continue;
-                    seen[beyond->second] = true;
-                    open.push_back(beyond->second);
+        return false;
+    }
+    bool isFolded(int face) const {
+        return anyTriangle(face, [&](std::size_t t) { return runsBackwards(t); });
+    }
+
+    /// Takes in the flat faces round it, ring by ring, until all can be cut anew.
+    void unfold(int face) {
+        constexpr int kRings = 6;
+        std::vector<int> region{face};
+        std::unordered_set<int> taken{face};
+        for (int ring = 0; ring < kRings; ++ring) {
+            const std::vector<int> inner = region;
+            for (const int f : inner) {
+                for (const int point : cage_.mesh.outline(f)) {
+                    for (const int next : facesAt_[at(point)]) {
+                        if (cage_.origin[at(next)] != cage_.origin[at(face)]) continue;
+                        if (!taken.insert(next).second) continue;
+                        const auto bent = [&](std::size_t t) { return !isFlat(t); };
+                        if (!anyTriangle(next, bent)) region.push_back(next);
+                    }
                 }
             }
-            out.push_back(std::move(part));
+            if (cutAnew(region) || region.size() == inner.size()) return;
         }
-        return out;
     }
 
     /// Sides that only one triangle has, as loops, the outline first; none where loops touch.
-    std::vector<std::vector<int>> border(const Part& part) const {
+    std::vector<std::vector<int>> border(const std::vector<std::size_t>& part,
+                                         const Vec3& normal) const {
         std::unordered_map<std::uint64_t, int> sides;
-        for (const std::size_t t : part.triangles) {
+        for (const std::size_t t : part) {
             const auto& corners = surface_.triangles[t];
             for (std::size_t c = 0; c < 3; ++c) {
                 const int a = corners[c];
@@ -142,34 +143,11 @@ class FlatParts {
             out.push_back(std::move(loop));
         }
         const auto area = [&](const std::vector<int>& loop) {
-            return loopAreaVector(surface_.positions, loop).dot(part.normal);
+            return loopAreaVector(surface_.positions, loop).dot(normal);
         };
         std::stable_sort(out.begin(), out.end(),
                          [&](const auto& a, const auto& b) { return area(a) > area(b); });
         return out;
-    }
-
-    /// By the number of sides that a ray in the plane crosses; false at a side, too.
-    bool isInside(int point, const std::vector<std::vector<int>>& loops, const Vec3& normal) const {
-        const Vec3 along = normal.unitOrthogonal();
-        const Vec3 across = normal.cross(along);
-        const Vec3& p = surface_.positions[at(point)];
-        bool in = false;
-        for (const auto& loop : loops) {
-            for (std::size_t k = 0; k < loop.size(); ++k) {
-                const Vec3 a = surface_.positions[at(loop[k])] - p;
-                const Vec3 b = surface_.positions[at(loop[(k + 1) % loop.size()])] - p;
-                const double length = (b - a).squaredNorm();
-                const double t = length > 0.0 ? std::clamp(-a.dot(b - a) / length, 0.0, 1.0) : 0.0;
-                if ((a + t * (b - a)).norm() <= room_) return false;
-                const double ya = across.dot(a);
-                const double yb = across.dot(b);
-                if ((ya > 0.0) == (yb > 0.0)) continue;
-                const double xa = along.dot(a);
-                if (xa + ya / (ya - yb) * (along.dot(b) - xa) > 0.0) in = !in;
-            }
-        }
-        return in;
     }
 
     /// Moves a point into the middle of the largest triangle, which is on the surface as well.
@@ -190,13 +168,21 @@ class FlatParts {
         triangles.push_back({t[2], t[0], point});
     }
 
-    void cutAnew(const Part& part) {
-        const auto loops = border(part);
-        if (loops.empty()) return;
+    /// \return false where that is not possible.
+    bool cutAnew(const std::vector<int>& region) {
+        std::vector<std::size_t> part;
+        for (const int f : region) {
+            for (std::size_t t = firstTriangle_[at(f)]; t < firstTriangle_[at(f) + 1]; ++t) {
+                part.push_back(t);
+            }
+        }
+        const Vec3& up = normals_[at(region.front())];
+        const auto loops = border(part, up);
+        if (loops.empty()) return false;
         std::unordered_map<int, int> normalOf;
         std::vector<int> inside;
         const auto& ids = surface_.normalTriangles;
-        for (const std::size_t t : part.triangles) {
+        for (const std::size_t t : part) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const int point = surface_.triangles[t][c];
                 const int normal = ids.empty() ? point : ids[t][c];
@@ -210,30 +196,30 @@ class FlatParts {
             return std::binary_search(onBorder.begin(), onBorder.end(), point);
         });
         std::sort(inside.begin(), inside.end());
-        std::vector<int> beyond;
-        std::erase_if(inside, [&](int point) {
-            if (isInside(point, loops, part.normal)) return false;
-            beyond.push_back(point);
-            return true;
-        });
+        const std::vector<int> all = inside;
         const std::vector<std::span<const int>> spans(loops.begin(), loops.end());
-        auto cut = triangulatePlanar(surface_.positions, spans, part.normal, inside);
-        if (!cut || cut->size() + 2 * beyond.size() != part.triangles.size()) return;
-        for (const int point : beyond) splitLargest(point, *cut);
+        auto cut = triangulatePlanar(surface_.positions, spans, up, &inside);
+        if (!cut || cut->size() + 2 * (all.size() - inside.size()) != part.size()) return false;
+        for (const int point : all) {
+            if (!std::binary_search(inside.begin(), inside.end(), point)) splitLargest(point, *cut);
+        }
         for (std::size_t k = 0; k < cut->size(); ++k) {
-            const std::size_t t = part.triangles[k];
+            const std::size_t t = part[k];
             surface_.triangles[t] = (*cut)[k];
             if (ids.empty()) continue;
             for (std::size_t c = 0; c < 3; ++c) {
                 surface_.normalTriangles[t][c] = normalOf.at((*cut)[k][c]);
             }
         }
+        return true;
     }
 
     const ControlCage& cage_;
     SurfaceMesh& surface_;
-    double room_ = 0.0;          ///< what counts as in a plane [mm]
-    std::vector<Vec3> normals_;  ///< by face of the control cage
+    double room_ = 0.0;                       ///< what counts as in a plane [mm]
+    std::vector<Vec3> normals_;               ///< by face of the control cage
+    std::vector<std::vector<int>> facesAt_;   ///< by point of the control cage
+    std::vector<std::size_t> firstTriangle_;  ///< by face of the control cage, and the end
 };
 
 }  // namespace

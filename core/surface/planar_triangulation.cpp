@@ -44,22 +44,29 @@ Kernel::Point_2 flattened(const Vec3& p, int axis, bool flip) {
                 : Kernel::Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]);
 }
 
-/// Inserts further points; false where one is there already or on a side.
-bool insertPoints(Cdt& cdt, const std::vector<Vec3>& points, std::span<const int> inside, int axis,
+/// Inserts further points; takes those off the list that are not inside. \pre marked.
+void insertPoints(Cdt& cdt, const std::vector<Vec3>& points, std::vector<int>& inside, int axis,
                   bool flip) {
+    const auto place = [&](int i) {
+        return flattened(points[static_cast<std::size_t>(i)], axis, flip);
+    };
+    Cdt::Locate_type where{};
+    int side = 0;
     Cdt::Face_handle hint;
-    for (const int i : inside) {
-        const Kernel::Point_2 p = flattened(points[static_cast<std::size_t>(i)], axis, flip);
-        Cdt::Locate_type where{};
-        int side = 0;
-        const auto face = cdt.locate(p, where, side, hint);
-        if (where == Cdt::VERTEX) return false;
-        if (where == Cdt::EDGE && face->is_constrained(side)) return false;
-        const auto handle = cdt.insert(p, where, face, side);
+    std::erase_if(inside, [&](int i) {
+        hint = cdt.locate(place(i), where, side, hint);
+        const bool in = where == Cdt::FACE || (where == Cdt::EDGE && !hint->is_constrained(side));
+        return !in || hint->info() % 2 == 0;
+    });
+    hint = {};
+    std::erase_if(inside, [&](int i) {
+        const auto face = cdt.locate(place(i), where, side, hint);
+        if (where == Cdt::VERTEX) return true;
+        const auto handle = cdt.insert(place(i), where, face, side);
         handle->info() = i;
         hint = handle->face();
-    }
-    return true;
+        return false;
+    });
 }
 
 /// Inserts the loops; false where they cross or touch.
@@ -99,16 +106,19 @@ bool insertLoops(Cdt& cdt, const std::vector<Vec3>& points,
 
 std::optional<std::vector<std::array<int, 3>>> triangulatePlanar(
     const std::vector<Vec3>& points, std::span<const std::span<const int>> loops,
-    const Vec3& normal, std::span<const int> inside) {
+    const Vec3& normal, std::vector<int>* inside) {
     int axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
     Cdt cdt;
     const bool flip = normal[axis] < 0.0;
     if (!insertLoops(cdt, points, loops, axis, flip)) return std::nullopt;
-    if (!insertPoints(cdt, points, inside, axis, flip)) return std::nullopt;
     markInside(cdt);
+    if (inside) {
+        insertPoints(cdt, points, *inside, axis, flip);
+        markInside(cdt);
+    }
     std::vector<std::array<int, 3>> out;
-    std::size_t corners = 2 * inside.size();
+    std::size_t corners = inside ? 2 * inside->size() : 0;
     for (const auto loop : loops) corners += loop.size();
     out.reserve(corners + 2 * loops.size());
     for (auto f : cdt.finite_face_handles()) {

@@ -66,8 +66,8 @@ class Tessellator {
             if (lost_) return noSurface(f);
         }
         mendNormals();
-        if (adaptive()) flipCrossingChords(out_);
         unfoldFlatParts(cage_, out_);
+        if (adaptive()) flipCrossingChords(out_);
         return std::move(out_);
     }
 
