@@ -28,6 +28,12 @@ class CageEdges {
     int twin(int side) const { return twin_[static_cast<std::size_t>(side)]; }
     int edge(int side) const { return edge_[static_cast<std::size_t>(side)]; }
 
+    /// Faces, and edges, that meet in a point.
+    int valence(int point) const {
+        const auto p = static_cast<std::size_t>(point);
+        return static_cast<int>(outStart_[p + 1] - outStart_[p]);
+    }
+
     /// 0 smooth .. kInfiniteSharpness.
     float sharpness(int edge) const { return sharpness_[static_cast<std::size_t>(edge)]; }
     float pointSharpness(int point) const {

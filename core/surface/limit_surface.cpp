@@ -12,6 +12,7 @@ namespace {
 namespace Osd = OpenSubdiv;
 
 const Osd::Bfr::Surface<double>::PointDescriptor kThree(3);
+constexpr int kCoarseLevels = 3;  ///< as dense as the samples beside extraordinary points
 
 }  // namespace
 
@@ -56,6 +57,7 @@ Result<LimitSurface> LimitSurface::create(const ControlCage& cage, SubdivisionSc
     out.refiner_.reset(RefinerFactory::Create(descriptor, RefinerFactory::Options(type, options)));
     if (!out.refiner_) return fail(Errc::Internal, "The cage could not be subdivided.");
     Osd::Bfr::SurfaceFactory::Options factoryOptions;
+    factoryOptions.SetApproxLevelSmooth(kCoarseLevels);
     out.coarse_ = std::make_unique<Factory>(*out.refiner_, factoryOptions);
     // Points of that many rounds of subdivision are then exact beside extraordinary points too.
     factoryOptions.SetApproxLevelSmooth(std::max(exactLevels, 2));

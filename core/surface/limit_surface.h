@@ -24,7 +24,7 @@ class LimitSurface {
 
     /// Chooses the face that the calls below speak of.
     bool select(int face) { return select(face, *fine_); }
-    /// The same for measuring only: patches beside extraordinary points are those of two levels,
+    /// The same for measuring only: patches beside extraordinary points are those of three levels,
     /// which take a fraction of the time.
     bool selectCoarse(int face) { return select(face, *coarse_); }
     /// One bicubic patch (or Loop's triangle) without an extraordinary point or a crease.

@@ -39,11 +39,39 @@ void markInside(Cdt& cdt) {
     }
 }
 
+Kernel::Point_2 flattened(const Vec3& p, int axis, bool flip) {
+    return flip ? Kernel::Point_2(p[(axis + 2) % 3], p[(axis + 1) % 3])
+                : Kernel::Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+}
+
+/// Inserts further points; takes those off the list that are not inside. \pre marked.
+void insertPoints(Cdt& cdt, const std::vector<Vec3>& points, std::vector<int>& inside, int axis,
+                  bool flip) {
+    const auto place = [&](int i) {
+        return flattened(points[static_cast<std::size_t>(i)], axis, flip);
+    };
+    Cdt::Locate_type where{};
+    int side = 0;
+    Cdt::Face_handle hint;
+    std::erase_if(inside, [&](int i) {
+        hint = cdt.locate(place(i), where, side, hint);
+        const bool in = where == Cdt::FACE || (where == Cdt::EDGE && !hint->is_constrained(side));
+        return !in || hint->info() % 2 == 0;
+    });
+    hint = {};
+    std::erase_if(inside, [&](int i) {
+        const auto face = cdt.locate(place(i), where, side, hint);
+        if (where == Cdt::VERTEX) return true;
+        const auto handle = cdt.insert(place(i), where, face, side);
+        handle->info() = i;
+        hint = handle->face();
+        return false;
+    });
+}
+
 /// Inserts the loops; false where they cross or touch.
 bool insertLoops(Cdt& cdt, const std::vector<Vec3>& points,
                  std::span<const std::span<const int>> loops, int axis, bool flip) {
-    const int u = flip ? (axis + 2) % 3 : (axis + 1) % 3;
-    const int v = flip ? (axis + 1) % 3 : (axis + 2) % 3;
     std::vector<std::array<Cdt::Vertex_handle, 2>> sides;
     try {
         for (const auto loop : loops) {
@@ -52,7 +80,7 @@ bool insertLoops(Cdt& cdt, const std::vector<Vec3>& points,
             for (const int i : loop) {
                 const Vec3& p = points[static_cast<std::size_t>(i)];
                 const std::size_t before = cdt.number_of_vertices();
-                const auto handle = cdt.insert(Kernel::Point_2(p[u], p[v]), hint);
+                const auto handle = cdt.insert(flattened(p, axis, flip), hint);
                 hint = handle->face();
                 if (cdt.number_of_vertices() > before) {
                     handle->info() = i;
@@ -78,14 +106,19 @@ bool insertLoops(Cdt& cdt, const std::vector<Vec3>& points,
 
 std::optional<std::vector<std::array<int, 3>>> triangulatePlanar(
     const std::vector<Vec3>& points, std::span<const std::span<const int>> loops,
-    const Vec3& normal) {
+    const Vec3& normal, std::vector<int>* inside) {
     int axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
     Cdt cdt;
-    if (!insertLoops(cdt, points, loops, axis, normal[axis] < 0.0)) return std::nullopt;
+    const bool flip = normal[axis] < 0.0;
+    if (!insertLoops(cdt, points, loops, axis, flip)) return std::nullopt;
     markInside(cdt);
+    if (inside) {
+        insertPoints(cdt, points, *inside, axis, flip);
+        markInside(cdt);
+    }
     std::vector<std::array<int, 3>> out;
-    std::size_t corners = 0;
+    std::size_t corners = inside ? 2 * inside->size() : 0;
     for (const auto loop : loops) corners += loop.size();
     out.reserve(corners + 2 * loops.size());
     for (auto f : cdt.finite_face_handles()) {

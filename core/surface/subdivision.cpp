@@ -8,6 +8,9 @@
 #include <unordered_map>
 
 #include "core/surface/cage_edges.h"
+#include "core/surface/chord_flips.h"
+#include "core/surface/flat_parts.h"
+#include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
 #include "core/surface/surface_pattern.h"
 #include "core/surface/surface_rates.h"
@@ -63,6 +66,8 @@ class Tessellator {
             if (lost_) return noSurface(f);
         }
         mendNormals();
+        unfoldFlatParts(cage_, out_);
+        if (adaptive()) flipCrossingChords(out_);
         return std::move(out_);
     }
 
@@ -94,25 +99,51 @@ class Tessellator {
         }
         // Where one face needs more than this a side, the memory limit is exceeded anyway.
         constexpr double kMost = 30000.0;
-        innerRates_.resize(at(cage_.mesh.faceCount()));
-        for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
-            const auto samples = evaluator_.measure(f);
-            if (samples.points.empty()) return noSurface(f);
-            const auto sides = edges_.of(f);
-            hard_.clear();
-            for (const int side : sides) hard_.push_back(edges_.hard(side));
-            const FaceRates rates = facePieces(evaluator_.parameterization(f), samples.points,
-                                               samples.regular, options_.tolerance, hard_);
-            const auto whole = [&](double r) {
-                return static_cast<int>(std::ceil(std::clamp(r, 1.0, kMost)));
-            };
+        const auto whole = [&](double r) {
+            return static_cast<int>(std::ceil(std::clamp(r, 1.0, kMost)));
+        };
+        const int faces = cage_.mesh.faceCount();
+        innerRates_.resize(at(faces));
+        std::vector<std::array<int, 2>> stitched(at(faces));
+        for (int f = 0; f < faces; ++f) {
+            if (!sample(f)) return noSurface(f);
+            const FaceRates rates =
+                facePieces(evaluator_.parameterization(f), samples_, options_.tolerance);
             innerRates_[at(f)] = {whole(rates.inner[0]), whole(rates.inner[1])};
+            stitched[at(f)] = {whole(rates.stitched[0]), whole(rates.stitched[1])};
+            const auto sides = edges_.of(f);
             for (std::size_t k = 0; k < sides.size(); ++k) {
                 int& rate = edgeRates_[at(sides[k])];
                 rate = std::max(rate, whole(rates.edges[k]));
             }
         }
+        for (int f = 0; f < faces; ++f) {
+            if (isStitched(f)) innerRates_[at(f)] = stitched[at(f)];
+        }
         return {};
+    }
+
+    bool sample(int f) {
+        const auto measured = evaluator_.measure(f);
+        samples_.points = measured.points;
+        samples_.regular = measured.regular;
+        samples_.hard.clear();
+        for (const int side : edges_.of(f)) samples_.hard.push_back(edges_.sharpness(side) > 0.0F);
+        const int regular = options_.scheme == SubdivisionScheme::Loop ? 6 : 4;
+        samples_.peaks.clear();
+        for (const int point : cage_.mesh.outline(f)) {
+            samples_.peaks.push_back(edges_.valence(point) > regular);
+        }
+        return !samples_.points.empty();
+    }
+
+    /// An edge of a quadrangle is not cut as its inside is.
+    bool isStitched(int f) const {
+        const auto sides = edges_.of(f);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            if (edgeRates_[at(sides[k])] != innerRates_[at(f)][k % 2]) return true;
+        }
+        return false;
     }
 
     /// Upper bounds of what face f adds.
@@ -319,12 +350,11 @@ class Tessellator {
             emit(q[0], q[1], q[2]);
             return;
         }
-        const auto where = [&](int k) -> const Vec3& {
-            return out_.positions[at(slots_[at(q[at(k)])].position)];
+        const auto corner = [&](std::size_t k) {
+            const Slot& slot = slots_[at(q[k])];
+            return SurfacePoint{out_.positions[at(slot.position)], out_.normals[at(slot.normal)]};
         };
-        const bool firstShorter =
-            (where(0) - where(2)).squaredNorm() <= (where(1) - where(3)).squaredNorm();
-        if (firstShorter) {
+        if (turnsLess(corner(0), corner(2), corner(1), corner(3))) {
             emit(q[0], q[1], q[2]);
             emit(q[0], q[2], q[3]);
         } else {
@@ -347,7 +377,7 @@ class Tessellator {
     Vec3 faceNormal_ = Vec3::Zero();  ///< unit, of the control polygon
     bool lost_ = false;               ///< a face had no surface
     std::vector<int> key_;
-    std::vector<bool> hard_;
+    FaceSamples samples_;
     std::vector<int> vertexPositions_;
     std::vector<int> vertexNormals_;
     std::vector<int> edgePositions_;  ///< first of the points inside an edge

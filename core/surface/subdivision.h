@@ -19,7 +19,7 @@ struct SurfaceMesh {
     std::vector<Vec3> normals;                        ///< unit limit normals, outward
     std::vector<std::array<int, 3>> normalTriangles;  ///< normals, by triangle; empty where normal
                                                       ///< i belongs to position i (no sharp crease)
-    std::vector<int> origin;  ///< by triangle: face of the control cage
+    std::vector<int> origin;                          ///< by triangle: face of the control cage
 
     /// The normal at a corner (0..2) of a triangle.
     const Vec3& normal(std::size_t triangle, std::size_t corner) const {
@@ -42,7 +42,8 @@ struct SubdivisionOptions {
 /// level 0 the cage's own). Adaptive: each edge of the cage gets as many pieces as its curve and
 /// its two faces need, so that neighbours agree; the inside of a face as many as it needs. Vertices
 /// of both lie on the limit surface, normals are exact; where an infinitely sharp edge or corner
-/// is, every side has its own normal.
+/// is, every side has its own normal. Where the parameters of a flat part run backwards, its
+/// triangles are cut anew over the same points; those beyond its border are moved into it.
 ///
 /// \pre the cage is closed and oriented (checked).
 /// Errors: BadValue for options out of range or a cage that the scheme cannot use (Loop needs

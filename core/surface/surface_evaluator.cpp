@@ -124,18 +124,19 @@ bool SurfaceEvaluator::evaluate(std::size_t i, Vec3& position, Vec3& normal) {
     return true;
 }
 
-const std::vector<Vec2>& SurfaceEvaluator::samples(int face) {
-    std::vector<Vec2>& out = samples_[static_cast<int>(cage_.mesh.outline(face).size())];
-    if (out.empty()) out = rateSamples(parameterization(face));
+const std::vector<Vec2>& SurfaceEvaluator::samples(int face, bool regular) {
+    const int corners = static_cast<int>(cage_.mesh.outline(face).size());
+    std::vector<Vec2>& out = samples_[{corners, regular}];
+    if (out.empty()) out = rateSamples(parameterization(face), regular);
     return out;
 }
 
 SurfaceEvaluator::Samples SurfaceEvaluator::measure(int face) {
-    const std::vector<Vec2>& coords = samples(face);
-    measured_.resize(coords.size());
     const int index = classes_.of(face);
     if (classes_.size(index) < kFewUses) {
         if (!surface_.selectCoarse(face)) return {};
+        const std::vector<Vec2>& coords = samples(face, surface_.regular());
+        measured_.resize(coords.size());
         for (std::size_t i = 0; i < coords.size(); ++i) {
             measured_[i] = surface_.position(coords[i].x(), coords[i].y());
         }
@@ -145,6 +146,7 @@ SurfaceEvaluator::Samples SurfaceEvaluator::measure(int face) {
     if (weights.empty()) {
         if (!surface_.selectCoarse(face) || !learn(face)) return {};
         regular_[at(index)] = surface_.regular();
+        const std::vector<Vec2>& coords = samples(face, surface_.regular());
         const std::size_t n = control_[at(index)].size();
         weights.resize(n * coords.size());
         for (std::size_t i = 0; i < coords.size(); ++i) {
@@ -152,6 +154,7 @@ SurfaceEvaluator::Samples SurfaceEvaluator::measure(int face) {
         }
     }
     gather(face);
+    measured_.resize(samples(face, regular_[at(index)]).size());
     const double* w = weights.data();
     for (Vec3& out : measured_) {
         Point4 p = Point4::Zero();

@@ -40,7 +40,7 @@ class SurfaceEvaluator {
         bool regular = false;          ///< LimitSurface::regular()
     };
     /// The surface at the places that facePieces() wants, for measuring only: patches beside
-    /// extraordinary points are those of two levels.
+    /// extraordinary points are those of three levels.
     Samples measure(int face);
 
   private:
@@ -50,7 +50,7 @@ class SurfaceEvaluator {
     void gather(int face);
     bool learn(int face);
     bool makeWeights();
-    const std::vector<Vec2>& samples(int face);
+    const std::vector<Vec2>& samples(int face, bool regular);
 
     const ControlCage& cage_;
     SubdivisionScheme scheme_;
@@ -59,8 +59,8 @@ class SurfaceEvaluator {
     std::vector<std::vector<int>> control_;  ///< by class: places of the control points in the hull
     std::vector<std::vector<double>> sampleWeights_;  ///< by class
     std::vector<bool> regular_;                       ///< by class, where there are such weights
-    std::map<int, std::vector<Vec2>> samples_;        ///< by number of corners
-    std::size_t budget_;                              ///< left for weights [numbers]
+    std::map<std::pair<int, bool>, std::vector<Vec2>> samples_;  ///< by corners and regularity
+    std::size_t budget_;                                         ///< left for weights [numbers]
 
     int face_ = -1;
     const std::vector<Vec2>* coords_ = nullptr;

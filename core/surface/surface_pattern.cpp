@@ -144,10 +144,11 @@ class StitchedPattern {
             join(edge(1, false), edge(3, true));
         } else {
             addInside();
-            join(edge(0, false), row(1));
-            join(edge(1, false), column(across_ - 1));
-            join(edge(2, false), reversed(row(along_ - 1)));
-            join(edge(3, false), reversed(column(1)));
+            for (int k = 0; k < 4; ++k) addCorner(k);
+            join(side(0), row(1));
+            join(side(1), column(across_ - 1));
+            join(side(2), reversed(row(along_ - 1)));
+            join(side(3), reversed(column(1)));
         }
         return std::move(out_);
     }
@@ -174,6 +175,30 @@ class StitchedPattern {
             out.emplace_back(static_cast<double>(i) / rate, id);
         }
         return backwards ? reversed(out) : out;
+    }
+
+    /// Edge k without the ends that are parts of corners' quadrangles.
+    Chain side(int k) const {
+        Chain out = edge(k, false);
+        if (cornered_[at((k + 1) % 4)]) out.pop_back();
+        if (cornered_[at(k)]) out.erase(out.begin());
+        return out;
+    }
+
+    /// A quadrangle between a corner and the point inside that is next to it, where it is convex.
+    void addCorner(int k) {
+        const int before = (k + 3) % 4;
+        const double here = rates_[at(k)];
+        const double there = rates_[at(before)];
+        const double pieces =
+            k % 2 == 0 ? here / across_ + there / along_ : here / along_ + there / across_;
+        constexpr double kConvex = 1.2;
+        if (here < 2 || there < 2 || pieces < kConvex) return;
+        cornered_[at(k)] = true;
+        const std::array<int, 4> next{inner(1, 1), inner(across_ - 1, 1),
+                                      inner(across_ - 1, along_ - 1), inner(1, along_ - 1)};
+        out_.facets.push_back({first_[at(k)], first_[at(k)] + 1, next[at(k)],
+                               first_[at(before)] + rates_[at(before)] - 1});
     }
 
     static Chain reversed(Chain chain) {
@@ -212,21 +237,33 @@ class StitchedPattern {
         }
     }
 
-    /// Triangles between two chains that run the same way, the second one on the left.
+    /// Facets between two chains that run the same way, the second one on the left. Where a step
+    /// along one of them follows one along the other, the two make a quadrangle, so that the
+    /// better diagonal can be chosen.
     void join(const Chain& right, const Chain& left) {
         std::size_t r = 0;
         std::size_t l = 0;
+        const auto stepsRight = [&](std::size_t i, std::size_t k) {
+            return k + 1 == left.size() ||
+                   (i + 1 < right.size() &&
+                    right[i + 1].first + right[i].first <= left[k + 1].first + left[k].first);
+        };
         while (r + 1 < right.size() || l + 1 < left.size()) {
-            const bool stepRight = l + 1 == left.size() ||
-                                   (r + 1 < right.size() && right[r + 1].first + right[r].first <=
-                                                                left[l + 1].first + left[l].first);
-            if (stepRight) {
-                out_.facets.push_back({right[r].second, right[r + 1].second, left[l].second, -1});
+            const bool onRight = stepsRight(r, l);
+            const std::size_t nextR = onRight ? r + 1 : r;
+            const std::size_t nextL = onRight ? l : l + 1;
+            const bool more = nextR + 1 < right.size() || nextL + 1 < left.size();
+            if (more && stepsRight(nextR, nextL) != onRight) {
+                out_.facets.push_back(
+                    {right[r].second, right[r + 1].second, left[l + 1].second, left[l].second});
                 ++r;
-            } else {
-                out_.facets.push_back({right[r].second, left[l + 1].second, left[l].second, -1});
                 ++l;
+                continue;
             }
+            const int tip = onRight ? right[nextR].second : left[nextL].second;
+            out_.facets.push_back({right[r].second, tip, left[l].second, -1});
+            r = nextR;
+            l = nextL;
         }
     }
 
@@ -235,6 +272,7 @@ class StitchedPattern {
     int along_;
     int inside_ = 0;
     std::array<int, 4> first_{};
+    std::array<bool, 4> cornered_{};
     SurfacePattern out_;
 };
 

@@ -8,6 +8,7 @@
 #include "core/document/document.h"
 #include "core/document/replay.h"
 #include "core/document/resources.h"
+#include "tests/surface/deviation.h"
 
 namespace ew {
 namespace {
@@ -30,45 +31,100 @@ std::unique_ptr<Document> smoothExample(const QString& path) {
 struct Count {
     std::size_t positions = 0;
     std::size_t triangles = 0;
-    double deviation = 0.0;
     bool creased = false;
 };
 
-Count countWith(Document& d, int levels, double tolerance) {
+void make(Document& d, int levels, double tolerance) {
     SubdivisionSettings s = d.state().surface.subdivision;
     s.on = true;
     s.levels = levels;
     s.tolerance = tolerance;
     EXPECT_TRUE(d.subdivide(s));
+}
+
+Count countWith(Document& d, int levels, double tolerance) {
+    make(d, levels, tolerance);
     Count sum;
     for (const BodyShape& body : d.shape()->bodies) {
         sum.positions += body.surface->positions.size();
         sum.triangles += body.surface->triangles.size();
-        sum.deviation = std::max(sum.deviation, estimatedDeviation(*body.surface));
         sum.creased |= !body.surface->normalTriangles.empty();
     }
     return sum;
 }
 
-// On the mouse; the printer and the clock do not reach it yet.
-TEST(ExampleSurface, AdaptiveNeedsHalfOfTheTrianglesOfASmoothShape) {
+/// How far the surface under way is from points of the limit surface, by body.
+double deviationOf(const Document& d, const std::vector<std::vector<Vec3>>& limit, double reach) {
+    double most = 0.0;
+    for (std::size_t b = 0; b < limit.size(); ++b) {
+        most = std::max(most, test::deviation(limit[b], *d.shape()->bodies[b].surface, reach));
+    }
+    return most;
+}
+
+/// Levels of subdivision that make enough points to measure by: 81 places of every quadrangle of
+/// the cage, 289 where these are not too many.
+int levelsToMeasureBy(Document& d) {
+    constexpr std::size_t kMany = 50'000;
+    return countWith(d, 1, 0.0).triangles > kMany ? 3 : 4;
+}
+
+/// Some 100,000 points of the limit surface of each body, by body; all places have their turn.
+std::vector<std::vector<Vec3>> limitPoints(Document& d, int levels) {
+    make(d, levels, 0.0);
+    std::vector<std::vector<Vec3>> out;
+    for (const BodyShape& body : d.shape()->bodies) {
+        const std::vector<Vec3>& all = body.surface->positions;
+        // A prime, so that it is in step with no pattern.
+        const std::size_t step = all.size() < 200'000 ? 1 : 7;
+        out.emplace_back();
+        for (std::size_t i = 0; i < all.size(); i += step) out.back().push_back(all[i]);
+    }
+    return out;
+}
+
+class SmoothExample : public testing::TestWithParam<const char*> {};
+
+TEST_P(SmoothExample, AdaptiveNeedsHalfOfTheTrianglesAtEqualDeviation) {
     const auto resources = resourcesFolder();
     ASSERT_TRUE(resources);
-    const auto d = smoothExample(*resources + QStringLiteral("/examples/mouse.json"));
+    const auto d =
+        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
     ASSERT_TRUE(d);
-    for (const int levels : {2, 3}) {
-        const Count even = countWith(*d, levels, 0.0);
-        // Deviations are estimates: compared is what is equally near by the same estimate.
-        double tolerance = even.deviation;
-        Count adaptive = countWith(*d, levels, tolerance);
-        for (int i = 0; i < 10 && adaptive.deviation > even.deviation; ++i) {
-            tolerance *= 0.9;
-            adaptive = countWith(*d, levels, tolerance);
+    const int finest = levelsToMeasureBy(*d);
+    const auto limit = limitPoints(*d, finest);
+    for (int levels = 1; levels < finest; ++levels) {
+        const std::size_t even = countWith(*d, levels, 0.0).triangles;
+        const double reached = deviationOf(*d, limit, 0.01);
+        // The coarsest adaptive surface that is as near, by the same points.
+        double tolerance = 1.3 * reached;
+        std::size_t adaptive = countWith(*d, levels, tolerance).triangles;
+        while (deviationOf(*d, limit, 0.01) > reached && 2 * adaptive <= even) {
+            tolerance *= 0.95;
+            adaptive = countWith(*d, levels, tolerance).triangles;
         }
-        EXPECT_LE(adaptive.deviation, even.deviation) << levels;
-        EXPECT_LE(2 * adaptive.triangles, even.triangles) << levels;
+        EXPECT_LE(2 * adaptive, even) << levels << ": within " << reached << " mm";
     }
 }
+
+TEST_P(SmoothExample, AdaptiveKeepsItsTolerance) {
+    const auto resources = resourcesFolder();
+    ASSERT_TRUE(resources);
+    const auto d =
+        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
+    ASSERT_TRUE(d);
+    const auto limit = limitPoints(*d, levelsToMeasureBy(*d));
+    for (const double tolerance : {0.05, 0.02, 0.005}) {
+        make(*d, 1, tolerance);
+        EXPECT_LE(deviationOf(*d, limit, tolerance), tolerance);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ExampleSurface, SmoothExample, testing::Values("printer.json", "clock.json", "mouse.json"),
+    [](const auto& example) {
+        return QString::fromUtf8(example.param).section(QLatin1Char('.'), 0, 0).toStdString();
+    });
 
 TEST(ExampleSurface, LevelSixFitsOrIsRefused) {
     const auto resources = resourcesFolder();

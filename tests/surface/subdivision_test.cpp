@@ -12,6 +12,7 @@
 #include <map>
 
 #include "tests/support/random_modifications.h"
+#include "tests/surface/deviation.h"
 #include "tests/surface/set_distance.h"
 #include "tests/surface/surface_fixture.h"
 
@@ -142,64 +143,13 @@ TEST(Subdivision, AdaptivePointsLieOnTheUniformOnesSurface) {
     }
 }
 
-/// Distance of a point from a triangle.
-double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 n = (b - a).cross(c - a).normalized();
-    const Vec3 q = p - n * n.dot(p - a);
-    const auto inside = [&](const Vec3& s, const Vec3& t) {
-        return (t - s).cross(q - s).dot(n) >= 0;
-    };
-    if (inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(n.dot(p - a));
-    const auto segment = [&](const Vec3& s, const Vec3& t) {
-        const double k = std::clamp((p - s).dot(t - s) / (t - s).squaredNorm(), 0.0, 1.0);
-        return (p - s - k * (t - s)).norm();
-    };
-    return std::min({segment(a, b), segment(b, c), segment(c, a)});
-}
-
-/// Largest distance from a dense set of limit points to the triangles.
-double deviation(const std::vector<Vec3>& dense, const SurfaceMesh& surface, double reach) {
-    std::map<std::array<long, 3>, std::vector<std::size_t>> grid;
-    const double cell = 4.0 * reach + 0.05;
-    const auto key = [&](double x) { return std::lround(x / cell); };
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        Vec3 low = surface.positions[static_cast<std::size_t>(surface.triangles[t][0])];
-        Vec3 high = low;
-        for (const int i : surface.triangles[t]) {
-            low = low.cwiseMin(surface.positions[static_cast<std::size_t>(i)]);
-            high = high.cwiseMax(surface.positions[static_cast<std::size_t>(i)]);
-        }
-        for (long x = key(low.x() - reach); x <= key(high.x() + reach); ++x) {
-            for (long y = key(low.y() - reach); y <= key(high.y() + reach); ++y) {
-                for (long z = key(low.z() - reach); z <= key(high.z() + reach); ++z) {
-                    grid[{x, y, z}].push_back(t);
-                }
-            }
-        }
-    }
-    double worst = 0.0;
-    for (const Vec3& p : dense) {
-        double best = reach;
-        const auto it = grid.find({key(p.x()), key(p.y()), key(p.z())});
-        if (it == grid.end()) return reach;
-        for (const std::size_t t : it->second) {
-            const auto at = [&](std::size_t k) -> const Vec3& {
-                return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
-            };
-            best = std::min(best, distanceTo(p, at(0), at(1), at(2)));
-        }
-        worst = std::max(worst, best);
-    }
-    return worst;
-}
-
 TEST(Subdivision, AdaptiveKeepsItsToleranceWithHalfTheTriangles) {
     const Solid bosses = solidOf(bossesSpec(1));
     const auto cc = SubdivisionScheme::CatmullClark;
     const ControlCage cage = filletedCage(bosses, 0.2, cc);
     const std::vector<Vec3> dense = refinedLimit(cage, cc, 4);
     SubdivisionOptions options;
-    for (const double tolerance : {0.005, 0.001}) {
+    for (const double tolerance : {0.005, 0.001, 0.0003}) {
         options.tolerance = tolerance;
         const SurfaceMesh adaptive = surfaceOf(cage, options);
         EXPECT_TRUE(checkClosed(asMesh(adaptive)));
@@ -282,6 +232,39 @@ TEST(Subdivision, PlanesKeepTheirNormalWhereTheirPiecesAreSlivers) {
         }
     }
     EXPECT_GT(points, 10000);
+}
+
+/// Triangles that run backwards although the surface is flat there.
+int foldedTriangles(const SurfaceMesh& surface) {
+    int folded = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];
+        };
+        const Vec3 area = (at(1) - at(0)).cross(at(2) - at(0));
+        const bool flat = surface.normal(t, 0).dot(surface.normal(t, 1)) > 1.0 - 1e-9 &&
+                          surface.normal(t, 1).dot(surface.normal(t, 2)) > 1.0 - 1e-9;
+        if (flat && area.dot(surface.normal(t, 0)) < 0.0) ++folded;
+    }
+    return folded;
+}
+
+TEST(Subdivision, FlatPartsHaveNoFoldsBesideSlivers) {
+    for (std::uint64_t number = 0; number < 60; ++number) {
+        Random random(Random::mix(number, 5));
+        const Solid solid = randomModifiedSolid(8, random);
+        const double size = (solid.bounds()[1] - solid.bounds()[0]).norm();
+        const auto cage = fillet(solid, allEdges(solid, 0.005 * size, 2));
+        ASSERT_TRUE(cage);
+        const ControlCage control = controlOf(*cage);
+        for (const int levels : {1, 2}) {
+            SubdivisionOptions options;
+            options.levels = levels;
+            const SurfaceMesh surface = surfaceOf(control, options);
+            EXPECT_TRUE(checkClosed(asMesh(surface)));
+            EXPECT_EQ(foldedTriangles(surface), 0) << number << ", " << levels;
+        }
+    }
 }
 
 TEST(Subdivision, SeveralShellsAreOneSurface) {

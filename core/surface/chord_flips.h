@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to core/surface.
+#pragma once
+
+#include "core/surface/subdivision.h"
+
+namespace ew {
+
+/// Flips the longest side of triangles that run backwards although the surface does not: where a
+/// face is narrower than the chords of one of its curved edges are high, these cross the opposite
+/// edge. The points stay, the surface stays closed. Creases are not flipped. O(triangles).
+void flipCrossingChords(SurfaceMesh& surface);
+
+}  // namespace ew
