@@ -265,9 +265,9 @@ inline constexpr double kBoxesAreUsual = 6.0;
 /// Ink beside an aspect that was laid over the ink as a whole costs this many times more again: the
 /// graph, which would tell what it is, was not asked.
 inline constexpr double kBesideOutline = 2.0;
-/// ... and such a reading is taken by itself up to this price, for each of its edges, of ink beside
-/// it, of edges bare of ink, and of ink bent along its edges.
-inline constexpr double kOutlineTells = 2.2;
+/// ... and such a reading is taken by itself up to this price, for each edge beyond the second, of
+/// ink beside it, of edges bare of ink, and of ink bent along its edges.
+inline constexpr double kOutlineTells = 2.7;
 /// Direction error that hands have besides what their ends' noise explains: degrees per px of
 /// noise, at most this share of the angle threshold.
 inline constexpr double kDirectionPerPx = 2.0;

@@ -89,8 +89,25 @@ bool setAxes(BoxFrame& frame, const Vec3& u, const Vec3& normal) {
     return true;
 }
 
-void setBorder(BoxFrame& frame) {
-    const ModelView& model = *frame.model;
+/// What of the solid is seen within this distance of the ink, of all that is drawn and may be.
+std::vector<std::array<Vec2, 2>> linesNear(const InkReading& ink, const ModelView& model,
+                                           double distancePx) {
+    Eigen::AlignedBox2d reach;
+    for (const Segment& s : ink.segments) reach.extend(s.a).extend(s.b);
+    const Vec2 more = Vec2::Constant(distancePx + 0.5 * reach.diagonal().norm());
+    reach.min() -= more;
+    reach.max() += more;
+    std::vector<std::array<Vec2, 2>> lines;
+    for (const VisiblePiece& v : model.pieces()) {
+        if (v.point) continue;
+        Eigen::AlignedBox2d piece(v.px[0]);
+        piece.extend(v.px[1]);
+        if (piece.intersects(reach)) lines.push_back(v.px);
+    }
+    return lines;
+}
+
+void setBorder(BoxFrame& frame, const ModelView& model) {
     for (auto& b : frame.border)
         b = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const int v : model.solid().faces()[at(frame.face)].loops.front()) {
@@ -142,9 +159,7 @@ Vec2 BoxFrame::acrossOf(std::size_t a) const { return {-screen[a].y(), screen[a]
 
 double BoxFrame::modelDistance(const Vec2& p) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const VisiblePiece& v : model->pieces()) {
-        if (!v.point) least = std::min(least, distanceToSegment(p, v.px[0], v.px[1], 0.0));
-    }
+    for (const auto& l : modelLines) least = std::min(least, distanceToSegment(p, l[0], l[1], 0.0));
     return least;
 }
 
@@ -178,17 +193,18 @@ std::vector<BoxFrame> boxFrames(const InkReading& ink, const ModelView& model,
     for (std::size_t v = 0; v < model.solid().vertices().size(); ++v) {
         extent.extend(Vec2(model.vertex(static_cast<int>(v)).head<2>()));
     }
+    const auto modelLines = linesNear(ink, model, thresholds.distancePx);
     std::vector<BoxFrame> frames;
     for (const int face : facesWithInk(ink, model)) {
         const Vec3 normal = model.plane(face).normal;
         for (const Vec3& u : turnsOf(face, model, normal)) {
             BoxFrame frame;
             frame.face = face;
-            frame.model = &model;
+            frame.modelLines = modelLines;
             frame.sizePx = extent.diagonal().norm();
             frame.origin = model.vertex(model.solid().faces()[at(face)].loops.front().front());
             if (!setAxes(frame, u, normal)) continue;
-            setBorder(frame);
+            setBorder(frame, model);
             for (const Segment& s : ink.segments) {
                 BoxLine l = lineIn(frame, s, thresholds, noisePx);
                 for (const double share : {0.15, 0.5, 0.85}) {

@@ -31,14 +31,14 @@ struct BoxFrame {
     std::array<std::array<double, 2>, 2> border{};  ///< of the face, along axes 0 and 1
     double sizePx = 1.0;                            ///< of the solid
     std::vector<BoxLine> lines;
-    const ModelView* model = nullptr;
+    std::vector<std::array<Vec2, 2>> modelLines;  ///< edges of the solid that are seen near the ink
 
     /// How far going one px along `other` goes across `axis` on the screen, and along it.
     double across(std::size_t axis, std::size_t other) const;
     double along(std::size_t axis, std::size_t other) const;
     /// Unit vector on the screen across an axis: that in which BoxLine::offset grows.
     Vec2 acrossOf(std::size_t axis) const;
-    /// Distance of a point from the nearest edge of the solid that is seen [px].
+    /// Distance of a point near the ink from the nearest edge of the solid that is seen [px].
     double modelDistance(const Vec2& p) const;
     /// The edge from a to b, fitted to these lines.
     GraphEdge fitted(const std::vector<std::size_t>& lines, const Vec2& a, const Vec2& b) const;

@@ -28,10 +28,13 @@ struct Place {
 class Layer {
   public:
     Layer(const BoxFrame& frame, const ModelView& model, const BoxLayingOptions& options)
-        : frame_(frame),
-          model_(model),
-          options_(options),
-          distance_(options.thresholds.distancePx) {}
+        : frame_(frame), options_(options), distance_(options.thresholds.distancePx) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            for (const double border : frame.border[axis]) {
+                borders_[axis].push_back(borderAt(model, axis, border));
+            }
+        }
+    }
 
     /// All boxes worth a closer look, best first.
     std::vector<Box> boxes() {
@@ -104,7 +107,7 @@ class Layer {
             }
         }
         std::vector<Place> places = united(lines, std::abs(scale), kMostPlaces);
-        for (const double border : frame_.border[axis]) places.push_back(borderAt(axis, border));
+        places.insert(places.end(), borders_[axis].begin(), borders_[axis].end());
         std::vector<std::array<Place, 2>> pairs;
         for (const Place& a : places) {
             for (const Place& b : places) {
@@ -137,11 +140,11 @@ class Layer {
     }
 
     /// A border of the face, with the face of the solid that stands upright there, if one does.
-    Place borderAt(std::size_t axis, double value) const {
+    Place borderAt(const ModelView& model, std::size_t axis, double value) const {
         Place place{value, 0.0};
         const double reach = 1e-6 * frame_.sizePx;
-        for (std::size_t f = 0; f < model_.solid().faces().size(); ++f) {
-            const CameraPlane plane = model_.plane(static_cast<int>(f));
+        for (std::size_t f = 0; f < model.solid().faces().size(); ++f) {
+            const CameraPlane plane = model.plane(static_cast<int>(f));
             const double turn = plane.normal.dot(frame_.axis[axis]);
             if (std::abs(turn) < 1 - tol::kSolidDirection) continue;
             const double here = (plane.offset - plane.normal.dot(frame_.origin)) / turn;
@@ -257,9 +260,9 @@ class Layer {
     static constexpr double kStray = 9.0;  ///< most that a line costs [variances]
 
     const BoxFrame& frame_;
-    const ModelView& model_;
     const BoxLayingOptions& options_;
     double distance_;
+    std::array<std::vector<Place>, 2> borders_;  ///< by axis
 };
 
 /// The template's vertex, by the side of each axis.
@@ -376,6 +379,10 @@ std::optional<LaidBox> Layer::lay(const Box& box,
 
 }  // namespace
 
+namespace {
+constexpr std::size_t kMostLines = 80;
+}
+
 bool isBox(const LibraryEntry& entry) {
     return entry.analysis.convex && entry.analysis.rectilinear &&
            entry.tmpl.shape.vertices.size() == 8;
@@ -389,6 +396,8 @@ std::vector<LaidBox> layBoxes(const InkReading& ink, const ModelView& model,
         LaidBox laid;
     };
     std::vector<Found> found;
+    // A crowded sheet is no rough drawing of one box.
+    if (ink.segments.size() > kMostLines) return {};
     for (const BoxFrame& frame : boxFrames(ink, model, options.thresholds, options.noisePx)) {
         Layer layer(frame, model, options);
         std::vector<Box> kept;

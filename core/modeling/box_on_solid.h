@@ -38,8 +38,8 @@ struct BoxLayingOptions {
 /// the borders of the face; all combinations are rated by how far lines are from the edges that
 /// would be seen, and by how much of those has no line.
 /// \param entry  a box: convex, rectilinear, eight vertices.
-/// \return the best, each different from the others by more than the hand's noise. Cost: some
-/// thousand combinations a face, O(lines) each.
+/// \return the best, each different from the others by more than the hand's noise; nothing for more
+/// than 80 lines. Cost: some ten thousand combinations a face, O(lines) each.
 std::vector<LaidBox> layBoxes(const InkReading& ink, const ModelView& model,
                               const std::shared_ptr<const LibraryEntry>& entry,
                               const BoxLayingOptions& options);

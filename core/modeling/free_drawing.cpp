@@ -238,7 +238,7 @@ class Pipeline {
         const RatedCandidate& best = r.candidates.front();
         // A careless hand retraces an edge farther off than its ends tell.
         return r.price + (1 + tol::kBesideOutline) * unexplainedPrice(best, 1.0) <=
-               tol::kOutlineTells * static_cast<double>(best.match.edge.size());
+               tol::kOutlineTells * (static_cast<double>(best.match.edge.size()) - 2.0);
     }
 
     /// Aspects laid over the ink: where line ends joined wrongly the outline may still tell.
