@@ -107,7 +107,13 @@ class Modification {
         // Ends of an unsteady hand join wrongly, while the whole of its lines still tells.
         if (spread_ >= kUnsteadySpread * distance_) placeLaidBoxes(view, body);
         if (understood(tol::kUnderstoodMisfit)) return;
-        for (const auto& matches : looks) {
+        // What turns freely is solved by iteration: a bounded number of those, for nobody waits a
+        // second for a reading.
+        std::size_t left = kMostIterated;
+        for (auto& matches : looks) {
+            if (matches.size() > left)
+                matches.erase(matches.begin() + static_cast<std::ptrdiff_t>(left), matches.end());
+            left -= matches.size();
             place(matches, view, body, false);
             if (understood(tol::kUnderstoodMisfit)) return;
         }
@@ -427,6 +433,7 @@ class Modification {
     static constexpr std::size_t kMostInkEdges = 60;
     static constexpr std::size_t kMostReadings = 12;
     static constexpr std::size_t kMostTried = 12;
+    static constexpr std::size_t kMostIterated = 30;
 
     const InkReading& ink_;
     const LibraryIndex& index_;
