@@ -32,13 +32,15 @@ class FlatParts {
         }
     }
 
-    void unfold() {
+    /// \return false where nothing was to be done.
+    bool unfold() {
         const std::vector<int> folded = foldedFaces();
-        if (folded.empty()) return;
+        if (folded.empty()) return false;
         findNeighbours();
         for (const int face : folded) {
             if (isFolded(face)) unfold(face);
         }
+        return true;
     }
 
   private:
@@ -222,10 +224,30 @@ class FlatParts {
     std::vector<std::size_t> firstTriangle_;  ///< by face of the control cage, and the end
 };
 
+/// Parts that were cut anew have one normal a point: drops those that nothing uses any more.
+void dropUnusedNormals(SurfaceMesh& surface) {
+    std::vector<int> kept(surface.normals.size(), -1);
+    for (const auto& ids : surface.normalTriangles) {
+        for (const int n : ids) kept[at(n)] = n;
+    }
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+        if (kept[n] < 0) continue;
+        surface.normals[count] = surface.normals[n];
+        kept[n] = static_cast<int>(count++);
+    }
+    surface.normals.resize(count);
+    for (auto& ids : surface.normalTriangles) {
+        for (int& n : ids) n = kept[at(n)];
+    }
+}
+
 }  // namespace
 
 void unfoldFlatParts(const ControlCage& cage, SurfaceMesh& surface) {
-    FlatParts(cage, surface).unfold();
+    if (FlatParts(cage, surface).unfold() && !surface.normalTriangles.empty()) {
+        dropUnusedNormals(surface);
+    }
 }
 
 }  // namespace ew

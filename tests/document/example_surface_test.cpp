@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <algorithm>
 
 #include "core/document/document.h"
 #include "core/document/replay.h"
@@ -104,6 +105,32 @@ TEST_P(SmoothExample, AdaptiveNeedsHalfOfTheTrianglesAtEqualDeviation) {
             adaptive = countWith(*d, levels, tolerance).triangles;
         }
         EXPECT_LE(2 * adaptive, even) << levels << ": within " << reached << " mm";
+    }
+}
+
+// Programs that draw a surface take a normal for a point of its own.
+TEST_P(SmoothExample, EveryNormalBelongsToOnePoint) {
+    const auto resources = resourcesFolder();
+    ASSERT_TRUE(resources);
+    const auto d =
+        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
+    ASSERT_TRUE(d);
+    for (const double tolerance : {0.0, 0.05}) {
+        make(*d, 2, tolerance);
+        for (const BodyShape& body : d->shape()->bodies) {
+            const SurfaceMesh& mesh = *body.surface;
+            const bool own = mesh.normalTriangles.empty();
+            const auto& ids = own ? mesh.triangles : mesh.normalTriangles;
+            std::vector<int> pointOf(mesh.normals.size(), -1);
+            for (std::size_t t = 0; t < ids.size(); ++t) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    int& point = pointOf[static_cast<std::size_t>(ids[t][k])];
+                    EXPECT_TRUE(point < 0 || point == mesh.triangles[t][k]);
+                    point = mesh.triangles[t][k];
+                }
+            }
+            EXPECT_EQ(std::count(pointOf.begin(), pointOf.end(), -1), 0);
+        }
     }
 }
 

@@ -310,8 +310,8 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
         for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
             const Vec3 n = pose.directionToWorld(mesh.normals[i]);
             write(normals->GetPointer(0), base + i, n);
-            if (!own) continue;
-            write(positions->GetPointer(0), base + i, pose.toWorld(mesh.positions[i]) - origin);
+            if (own)
+                write(positions->GetPointer(0), base + i, pose.toWorld(mesh.positions[i]) - origin);
         }
         base += mesh.normals.size();
     }
