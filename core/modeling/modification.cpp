@@ -107,15 +107,29 @@ class Modification {
         // Ends of an unsteady hand join wrongly, while the whole of its lines still tells.
         if (spread_ >= kUnsteadySpread * distance_) placeLaidBoxes(view, body);
         if (understood(tol::kUnderstoodMisfit)) return;
-        // What turns freely is solved by iteration: a bounded number of those, for nobody waits a
-        // second for a reading.
-        std::size_t left = kMostIterated;
-        for (auto& matches : looks) {
-            if (matches.size() > left)
-                matches.erase(matches.begin() + static_cast<std::ptrdiff_t>(left), matches.end());
-            left -= matches.size();
-            place(matches, view, body, false);
-            if (understood(tol::kUnderstoodMisfit)) return;
+        placeFreely(looks, view, body);
+    }
+
+    /// What turns freely is solved by iteration: a bounded number of those, for nobody waits a
+    /// second for a reading. Those that leave out the least ink and run most nearly parallel first.
+    void placeFreely(const std::vector<std::vector<Match>>& looks, const ModelView& view,
+                     int body) {
+        std::vector<std::pair<double, const Match*>> order;
+        for (const auto& matches : looks) {
+            for (const Match& m : matches) {
+                order.emplace_back(m.price +
+                                       tol::kExtraEdgeCost * m.reading.strayPx / (4.0 * distance_) +
+                                       m.match.parallelDeg,
+                                   &m);
+            }
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        if (order.size() > kMostIterated) order.resize(kMostIterated);
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            place({*order[i].second}, view, body, false);
+            // The first that fits has rivals.
+            if ((i + 1) % kRivals == 0 && understood(tol::kUnderstoodMisfit)) return;
         }
     }
 
@@ -434,6 +448,7 @@ class Modification {
     static constexpr std::size_t kMostReadings = 12;
     static constexpr std::size_t kMostTried = 12;
     static constexpr std::size_t kMostIterated = 30;
+    static constexpr std::size_t kRivals = 10;
 
     const InkReading& ink_;
     const LibraryIndex& index_;
