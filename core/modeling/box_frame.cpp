@@ -163,6 +163,21 @@ double BoxFrame::modelDistance(const Vec2& p) const {
     return least;
 }
 
+std::array<Vec2, 2> BoxFrame::inked(const std::vector<std::size_t>& which, const Vec2& a,
+                                    const Vec2& b) const {
+    const Vec2 u = (b - a).normalized();
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -lo;
+    for (const std::size_t i : which) {
+        for (const Vec2& p : {lines[i].segment->a, lines[i].segment->b}) {
+            lo = std::min(lo, (p - a).dot(u));
+            hi = std::max(hi, (p - a).dot(u));
+        }
+    }
+    const double length = (b - a).norm();
+    return {Vec2(a + std::clamp(lo, 0.0, length) * u), Vec2(a + std::clamp(hi, 0.0, length) * u)};
+}
+
 GraphEdge BoxFrame::fitted(const std::vector<std::size_t>& which, const Vec2& a,
                            const Vec2& b) const {
     InkLine line;

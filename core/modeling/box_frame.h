@@ -40,6 +40,9 @@ struct BoxFrame {
     Vec2 acrossOf(std::size_t axis) const;
     /// Distance of a point near the ink from the nearest edge of the solid that is seen [px].
     double modelDistance(const Vec2& p) const;
+    /// Where on the edge from a to b these lines begin and end.
+    std::array<Vec2, 2> inked(const std::vector<std::size_t>& lines, const Vec2& a,
+                              const Vec2& b) const;
     /// The edge from a to b, fitted to these lines.
     GraphEdge fitted(const std::vector<std::size_t>& lines, const Vec2& a, const Vec2& b) const;
 };

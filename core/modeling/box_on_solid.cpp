@@ -242,6 +242,24 @@ class Layer {
         return cost;
     }
 
+    /// Sides of the box that meet at an end of one of its edges, by axis: the template's planes.
+    static std::array<std::size_t, 3> cornerOf(const Box& box, const BoxEdge& e, std::size_t end) {
+        std::array<std::size_t, 3> sides{};
+        sides[e.axis] = box.plane(e.axis, end);
+        sides[e.b] = box.plane(e.b, e.kb);
+        sides[e.c] = box.plane(e.c, e.kc);
+        return sides;
+    }
+    std::array<Vec2, 2> endsOf(const Box& box, const BoxEdge& e) const {
+        const Vec3 side = frame_.origin + box.side[e.b][e.kb] * frame_.axis[e.b] +
+                          box.side[e.c][e.kc] * frame_.axis[e.c];
+        std::array<Vec2, 2> ends;
+        for (std::size_t s = 0; s < 2; ++s) {
+            ends[s] = (side + box.side[e.axis][s] * frame_.axis[e.axis]).head<2>();
+        }
+        return ends;
+    }
+
     /// Runs an edge of the box along edges of the solid that are seen?
     bool onModel(const BoxEdge& e) const {
         const Vec2 across = frame_.acrossOf(e.axis);
@@ -325,50 +343,40 @@ std::optional<LaidBox> Layer::lay(const Box& box,
     out.operation = box.adds() ? Operation::Add : Operation::Cut;
     JointGraph joint;
     std::map<int, int> junctionOf;
-    const auto junction = [&](const std::array<std::size_t, 3>& k) {
-        std::array<std::size_t, 3> sides{};
-        Vec3 p = frame_.origin;
-        for (std::size_t a = 0; a < 3; ++a) {
-            sides[a] = box.plane(a, k[a]);
-            p += box.side[a][k[a]] * frame_.axis[a];
+    const auto junction = [&](int vertex, const Vec2& p) {
+        const int next = static_cast<int>(out.match.vertex.size());
+        if (vertex >= 0) {
+            const auto [it, added] = junctionOf.insert({vertex, next});
+            if (!added) return it->second;
         }
-        const int v = vertexAt(r, sides);
-        const auto [it, added] = junctionOf.insert({v, static_cast<int>(out.match.vertex.size())});
-        if (added) {
-            out.match.vertex.push_back(v);
-            out.reading.graph.junctions.push_back({p.head<2>()});
-            out.reading.junctionNode.push_back(static_cast<int>(joint.nodes.size()));
-            joint.nodes.push_back({p.head<2>(), -1, -1, true});
-        }
-        return it->second;
+        out.match.vertex.push_back(vertex);
+        out.reading.graph.junctions.push_back({p});
+        out.reading.junctionNode.push_back(static_cast<int>(joint.nodes.size()));
+        joint.nodes.push_back({p, -1, -1, true});
+        return next;
     };
     for (const BoxEdge& e : edges) {
         const double length = e.to - e.from;
-        if (e.lines.empty() || e.covered < std::min(distance_, 0.3 * length)) {
-            if (e.drawn == Drawn::Surely && !onModel(e)) {
-                out.price += barePrice(std::max(0.0, length - distance_));
-            }
-            continue;
-        }
+        const bool drawn = !e.lines.empty() && e.covered >= std::min(distance_, 0.3 * length);
         if (e.drawn == Drawn::Surely && !onModel(e)) {
-            out.price += barePrice(std::max(0.0, length - e.covered - distance_));
+            out.price += barePrice(std::max(0.0, length - (drawn ? e.covered : 0.0) - distance_));
         }
-        std::array<std::size_t, 3> k{};
-        k[e.b] = e.kb;
-        k[e.c] = e.kc;
-        std::array<int, 2> ends{};
+        if (!drawn) continue;
+        const auto ends = endsOf(box, e);
+        GraphEdge edge = frame_.fitted(e.lines, ends[0], ends[1]);
+        const auto inked = frame_.inked(e.lines, ends[0], ends[1]);
+        std::array<int, 2> vertex{};
         for (std::size_t s = 0; s < 2; ++s) {
-            k[e.axis] = s;
-            ends[s] = junction(k);
+            vertex[s] = vertexAt(r, cornerOf(box, e, s));
+            // An edge inside a pocket disappears behind its rim.
+            const bool hides =
+                !box.adds() && e.drawn == Drawn::Maybe && (inked[s] - ends[s]).norm() > distance_;
+            if (hides) edge.tips[s] = inked[s];
+            edge.ends[s] = hides ? junction(-1, inked[s]) : junction(vertex[s], ends[s]);
         }
-        const Vec2 a = out.reading.graph.junctions[at(ends[0])].position;
-        const Vec2 b = out.reading.graph.junctions[at(ends[1])].position;
-        GraphEdge edge = frame_.fitted(e.lines, a, b);
-        edge.ends = ends;
         out.reading.graph.edges.push_back(std::move(edge));
         out.reading.edgeModel.push_back(-1);
-        out.match.edge.push_back(entry->analysis.edgeBetween(out.match.vertex[at(ends[0])],
-                                                             out.match.vertex[at(ends[1])]));
+        out.match.edge.push_back(entry->analysis.edgeBetween(vertex[0], vertex[1]));
     }
     if (out.reading.graph.edges.size() < 3) return std::nullopt;
     seat(box, out, *entry);
