@@ -7,15 +7,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/surface/side_key.h"
+
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-std::uint64_t key(int a, int b) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-           static_cast<std::uint32_t>(b);
-}
 
 class ChordFlips {
   public:
@@ -102,7 +99,7 @@ class ChordFlips {
         std::vector<bool> isEnd(surface_.positions.size(), false);
         for (const Flip& flip : flips_) {
             const Ids& t = ids(flip.triangle);
-            beyond_[key(t[(flip.side + 1) % 3], t[flip.side])] = -1;
+            beyond_[sideKey(t[(flip.side + 1) % 3], t[flip.side])] = -1;
             isEnd[at(t[flip.side])] = isEnd[at(t[(flip.side + 1) % 3])] = true;
             isTip[at(t[(flip.side + 2) % 3])] = true;
         }
@@ -110,9 +107,9 @@ class ChordFlips {
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = ids(t)[k];
                 const int b = ids(t)[(k + 1) % 3];
-                if (isTip[at(a)]) joined_.insert(key(a, b));
+                if (isTip[at(a)]) joined_.insert(sideKey(a, b));
                 if (!isEnd[at(a)] || !isEnd[at(b)]) continue;
-                const auto it = beyond_.find(key(a, b));
+                const auto it = beyond_.find(sideKey(a, b));
                 if (it != beyond_.end()) it->second = static_cast<int>(t);
             }
         }
@@ -126,7 +123,7 @@ class ChordFlips {
         const std::size_t i = flip.side;
         const std::size_t j = (i + 1) % 3;
         const std::size_t k = (i + 2) % 3;
-        const int other = beyond_.at(key(corners[j], corners[i]));
+        const int other = beyond_.at(sideKey(corners[j], corners[i]));
         if (other < 0 || touched_.contains(t) || touched_.contains(at(other))) return false;
         const Ids far = ids(at(other));
         const Ids farNormals = normalIds(at(other));
@@ -134,7 +131,7 @@ class ChordFlips {
             static_cast<std::size_t>(std::find(far.begin(), far.end(), corners[j]) - far.begin());
         const std::size_t tip = (m + 2) % 3;
         const bool crease = farNormals[m] != normals[j] || farNormals[(m + 1) % 3] != normals[i];
-        if (crease || joined_.contains(key(corners[k], far[tip]))) return false;
+        if (crease || joined_.contains(sideKey(corners[k], far[tip]))) return false;
         const Ids first{corners[k], corners[i], far[tip]};
         const Ids firstNormals{normals[k], normals[i], farNormals[tip]};
         const Ids second{far[tip], corners[j], corners[k]};
@@ -148,8 +145,8 @@ class ChordFlips {
         }
         touched_.insert(t);
         touched_.insert(at(other));
-        joined_.insert(key(corners[k], far[tip]));
-        joined_.insert(key(far[tip], corners[k]));
+        joined_.insert(sideKey(corners[k], far[tip]));
+        joined_.insert(sideKey(far[tip], corners[k]));
         return true;
     }
 

@@ -11,6 +11,7 @@
 #include "core/base/tolerance.h"
 #include "core/surface/face_split.h"
 #include "core/surface/planar_triangulation.h"
+#include "core/surface/side_key.h"
 
 namespace ew {
 namespace {
@@ -33,11 +34,6 @@ Result<void> checkOptions(const FilletedCage& cage, const ControlOptions& option
                     "The sharpness of edge " + std::to_string(e) + " must be 0 or more.");
     }
     return {};
-}
-
-std::uint64_t key(int a, int b) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-           static_cast<std::uint32_t>(b);
 }
 
 class Preparation {
@@ -78,7 +74,7 @@ class Preparation {
             if (!isStrip(f)) continue;
             const auto loop = cage_.mesh.outline(f);
             for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
-                strips[key(loop[(k + 1) % 4], loop[k])] = setbackOf(f);
+                strips[sideKey(loop[(k + 1) % 4], loop[k])] = setbackOf(f);
             }
         }
         for (int f = 0; f < cage_.mesh.faceCount(); ++f) {
@@ -87,7 +83,7 @@ class Preparation {
             for (int l = 0; l < cage_.mesh.loopCount(f); ++l) {
                 const auto loop = cage_.mesh.loop(f, l);
                 for (std::size_t k = 0; k < loop.size(); ++k) {
-                    const auto strip = strips.find(key(loop[k], loop[(k + 1) % loop.size()]));
+                    const auto strip = strips.find(sideKey(loop[k], loop[(k + 1) % loop.size()]));
                     if (strip == strips.end()) continue;
                     width = width > 0.0 ? std::min(width, strip->second) : strip->second;
                 }
@@ -113,7 +109,7 @@ class Preparation {
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const int a = loop[k];
                 const int b = loop[(k + 1) % loop.size()];
-                if (!sharp_.contains(key(std::min(a, b), std::max(a, b)))) return false;
+                if (!sharp_.contains(sideKey(std::min(a, b), std::max(a, b)))) return false;
             }
         }
         return cage_.mesh.loopCount(face) > 1 ||
@@ -133,17 +129,17 @@ class Preparation {
 
     /// Puts a point near each end of an edge, at this share of its length.
     void split(int a, int b, double share) {
-        if (!splits_.try_emplace(key(std::min(a, b), std::max(a, b))).second) return;
+        if (!splits_.try_emplace(sideKey(std::min(a, b), std::max(a, b))).second) return;
         const Vec3 p = cage_.mesh.point(std::min(a, b));
         const Vec3 q = cage_.mesh.point(std::max(a, b));
-        auto& ids = splits_[key(std::min(a, b), std::max(a, b))];
+        auto& ids = splits_[sideKey(std::min(a, b), std::max(a, b))];
         ids[0] = out_.mesh.addPoint(p + share * (q - p));
         ids[1] = out_.mesh.addPoint(q - share * (q - p));
     }
 
     /// The points inside an edge from a to b, none where it is not split.
     std::vector<int> inside(int a, int b) const {
-        const auto it = splits_.find(key(std::min(a, b), std::max(a, b)));
+        const auto it = splits_.find(sideKey(std::min(a, b), std::max(a, b)));
         if (it == splits_.end()) return {};
         return a < b ? std::vector<int>{it->second[0], it->second[1]}
                      : std::vector<int>{it->second[1], it->second[0]};
@@ -181,13 +177,13 @@ class Preparation {
             for (int l = 0; l < cage_.mesh.loopCount(f); ++l) {
                 const auto loop = cage_.mesh.loop(f, l);
                 for (std::size_t k = 0; k < loop.size(); ++k) {
-                    widths[key(loop[k], loop[(k + 1) % loop.size()])] = rows * width_[at(f)];
+                    widths[sideKey(loop[k], loop[(k + 1) % loop.size()])] = rows * width_[at(f)];
                 }
             }
         }
         for (const CageSharpEdge& e : cage_.sharpEdges) {
             double width = 0.0;
-            for (const auto& side : {key(e.from, e.to), key(e.to, e.from)}) {
+            for (const auto& side : {sideKey(e.from, e.to), sideKey(e.to, e.from)}) {
                 const auto it = widths.find(side);
                 if (it != widths.end()) width = std::max(width, it->second);
             }
@@ -352,7 +348,7 @@ class Preparation {
     }
 
     static std::uint64_t undirected(const CageSharpEdge& e) {
-        return key(std::min(e.from, e.to), std::max(e.from, e.to));
+        return sideKey(std::min(e.from, e.to), std::max(e.from, e.to));
     }
 
     double sharpness(const CageSharpEdge& e) const {

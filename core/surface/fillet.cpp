@@ -13,6 +13,7 @@
 #include "core/surface/fillet_build.h"
 #include "core/surface/fillet_clamp.h"
 #include "core/surface/self_intersection.h"
+#include "core/surface/side_key.h"
 
 namespace ew {
 namespace {
@@ -136,11 +137,6 @@ class Maker {
         return isFace(pair.first) && isFace(pair.second) &&
                !meetExactly(cage.mesh.points, triangles.triangles[at(pair.first)],
                             triangles.triangles[at(pair.second)]);
-    }
-
-    static std::uint64_t sideKey(int a, int b) {
-        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-               static_cast<std::uint32_t>(b);
     }
 
     /// The face on the left of every directed edge of the cage.

@@ -6,15 +6,12 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "core/surface/side_key.h"
+
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-std::uint64_t key(int a, int b) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-           static_cast<std::uint32_t>(b);
-}
 
 }  // namespace
 
@@ -48,13 +45,13 @@ void FilletTopology::link() {
     std::unordered_map<std::uint64_t, int> byEnds;
     byEnds.reserve(half_.size());
     for (int h = 0; h < halfCount(); ++h) {
-        byEnds.emplace(key(half(h).origin, half(half(h).next).origin), h);
+        byEnds.emplace(sideKey(half(h).origin, half(half(h).next).origin), h);
     }
     const auto& edges = solid_.edges();
     ofEdge_.resize(edges.size());
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        const int h = byEnds.at(key(edges[e].ends[0], edges[e].ends[1]));
-        const int t = byEnds.at(key(edges[e].ends[1], edges[e].ends[0]));
+        const int h = byEnds.at(sideKey(edges[e].ends[0], edges[e].ends[1]));
+        const int t = byEnds.at(sideKey(edges[e].ends[1], edges[e].ends[0]));
         half_[at(h)].twin = t;
         half_[at(t)].twin = h;
         half_[at(h)].edge = half_[at(t)].edge = static_cast<int>(e);

@@ -10,16 +10,12 @@
 
 #include "core/base/tolerance.h"
 #include "core/surface/planar_triangulation.h"
+#include "core/surface/side_key.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-std::uint64_t key(int a, int b) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-           static_cast<std::uint32_t>(b);
-}
 
 class FlatParts {
   public:
@@ -125,7 +121,7 @@ class FlatParts {
             for (std::size_t c = 0; c < 3; ++c) {
                 const int a = corners[c];
                 const int b = corners[(c + 1) % 3];
-                if (sides.erase(key(b, a)) == 0) sides[key(a, b)] = b;
+                if (sides.erase(sideKey(b, a)) == 0) sides[sideKey(a, b)] = b;
             }
         }
         std::unordered_map<int, int> next;

@@ -84,13 +84,18 @@ std::vector<std::vector<Vec3>> limitPoints(Document& d, int levels) {
     return out;
 }
 
-class SmoothExample : public testing::TestWithParam<const char*> {};
+class SmoothExample : public testing::TestWithParam<const char*> {
+  protected:
+    static std::unique_ptr<Document> example() {
+        const auto resources = resourcesFolder();
+        if (!resources) return nullptr;
+        return smoothExample(*resources + QStringLiteral("/examples/") +
+                             QString::fromUtf8(GetParam()));
+    }
+};
 
 TEST_P(SmoothExample, AdaptiveNeedsHalfOfTheTrianglesAtEqualDeviation) {
-    const auto resources = resourcesFolder();
-    ASSERT_TRUE(resources);
-    const auto d =
-        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
+    const auto d = example();
     ASSERT_TRUE(d);
     const int finest = levelsToMeasureBy(*d);
     const auto limit = limitPoints(*d, finest);
@@ -110,10 +115,7 @@ TEST_P(SmoothExample, AdaptiveNeedsHalfOfTheTrianglesAtEqualDeviation) {
 
 // Programs that draw a surface take a normal for a point of its own.
 TEST_P(SmoothExample, EveryNormalBelongsToOnePoint) {
-    const auto resources = resourcesFolder();
-    ASSERT_TRUE(resources);
-    const auto d =
-        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
+    const auto d = example();
     ASSERT_TRUE(d);
     for (const double tolerance : {0.0, 0.05}) {
         make(*d, 2, tolerance);
@@ -135,10 +137,7 @@ TEST_P(SmoothExample, EveryNormalBelongsToOnePoint) {
 }
 
 TEST_P(SmoothExample, AdaptiveKeepsItsTolerance) {
-    const auto resources = resourcesFolder();
-    ASSERT_TRUE(resources);
-    const auto d =
-        smoothExample(*resources + QStringLiteral("/examples/") + QString::fromUtf8(GetParam()));
+    const auto d = example();
     ASSERT_TRUE(d);
     const auto limit = limitPoints(*d, levelsToMeasureBy(*d));
     for (const double tolerance : {0.05, 0.02, 0.005}) {
