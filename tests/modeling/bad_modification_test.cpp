@@ -8,18 +8,12 @@
 #include "core/modeling/interpretation.h"
 #include "core/solid/validity.h"
 #include "core/solid/visibility.h"
-#include "core/tlib/library.h"
+#include "tests/modeling/reading_fixture.h"
 #include "tests/support/modification_cases.h"
 #include "tests/support/random.h"
 
 namespace ew::test {
 namespace {
-
-const TemplateLibrary& library() {
-    static const TemplateLibrary shipped =
-        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
-    return shipped;
-}
 
 Body theBox() { return boxModifications().front().target; }
 
@@ -28,7 +22,7 @@ Interpretation readOn(const Body& body, const OrthographicCamera& camera, const 
     InterpretOptions o;
     o.camera = camera;
     o.bodies = {body};
-    return interpret(exactStrokes(linesOnPlane(c)), library(), o);
+    return interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
 }
 
 /// A reason with a sentence and a place, or a solid that can be.
@@ -82,7 +76,7 @@ TEST(BadModification, ADrawingOverTheSolidIsNoNewBodyByItself) {
         for (const std::uint64_t seed : {12u, 13u, 16u, 23u}) {
             Random hand(Random::mix(17, seed));
             const Interpretation r =
-                interpret(drawByHand(linesOnPlane(c), kRoughHand, hand), library(), o);
+                interpret(drawByHand(linesOnPlane(c), kRoughHand, hand), shippedLibrary(), o);
             if (!r.accepted) continue;
             EXPECT_NE(r.candidates[static_cast<std::size_t>(*r.accepted)].operation,
                       Operation::Create)
@@ -120,7 +114,7 @@ TEST(BadModification, ABossSeenStraightAlongItsSidesIsNotTakenForAFrustum) {
     InterpretOptions o;
     o.camera = steep;
     ModificationCase c{"", "", 0, theBox(), steep, Operation::Auto, "", lines};
-    const Interpretation free = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+    const Interpretation free = interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
     EXPECT_FALSE(free.accepted);
     ASSERT_TRUE(free.problem);
     EXPECT_EQ(free.problem->code, Errc::Ambiguous);
@@ -202,7 +196,7 @@ TEST(BadModification, ACutThatWouldLeaveNothingIsRefused) {
                      {{Vec3(80, 0, 40), Vec3(80, 0, 0)},
                       {Vec3(80, 0, 40), Vec3(80, 60, 40)},
                       {Vec3(80, 0, 40), Vec3(0, 0, 40)}});
-    const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+    const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
     for (const Candidate& k : r.candidates) {
         EXPECT_TRUE(!k.result || k.result->volume() > 0.0);
     }

@@ -13,11 +13,6 @@
 namespace ew::test {
 namespace {
 
-std::shared_ptr<const LibraryEntry> entryOf(const std::string& id) {
-    const LibraryIndex& index = shippedLibrary().index();
-    return index.entries[static_cast<std::size_t>(index.byId.at(id))];
-}
-
 ModificationCase caseNamed(const std::string& name) {
     const std::vector<ModificationCase> cases = boxModifications();
     const auto found = std::find_if(cases.begin(), cases.end(),

@@ -8,17 +8,12 @@
 #include <map>
 #include <numbers>
 
+#include "tests/modeling/reading_fixture.h"
 #include "tests/support/modification_cases.h"
 #include "tests/support/random.h"
 
 namespace ew::test {
 namespace {
-
-const TemplateLibrary& library() {
-    static const TemplateLibrary shipped =
-        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
-    return shipped;
-}
 
 InterpretOptions optionsFor(const Body& body, const Pose& pose) {
     InterpretOptions o;
@@ -49,7 +44,7 @@ TEST(Modification, ExactStrokesOnABoxGiveTheExactSolid) {
     for (const Pose& pose : {Pose{}, turned(0.7, Vec3(1, 2, 3))}) {
         for (const ModificationCase& c : boxModifications(pose)) {
             const InterpretOptions o = optionsFor(c.target, pose);
-            expectRight(c, interpret(exactStrokes(linesOnPlane(c)), library(), o));
+            expectRight(c, interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o));
         }
     }
 }
@@ -75,7 +70,7 @@ void expectAllRight(const std::vector<ModificationCase>& cases) {
         InterpretOptions o;
         o.camera = c.camera;
         o.bodies = {c.target};
-        expectRight(c, interpret(exactStrokes(linesOnPlane(c)), library(), o));
+        expectRight(c, interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o));
     }
 }
 
@@ -113,7 +108,7 @@ TEST(Modification, WhereHiddenFacesMeetAnEarlierSlotTheAdjustedCutComesNext) {
         InterpretOptions o;
         o.camera = c.camera;
         o.bodies = {c.target};
-        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
         expectRight(c, r);
         ASSERT_GE(r.candidates.size(), 2u);
         EXPECT_EQ(r.accepted.value_or(-1), 0);
@@ -142,7 +137,7 @@ TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {
                 strokes[i].samples[k].timeMs = 8.0 * static_cast<double>(k);
             }
         }
-        expectRight(c, interpret(strokes, library(), o));
+        expectRight(c, interpret(strokes, shippedLibrary(), o));
     }
 }
 
@@ -152,11 +147,11 @@ TEST(Modification, AskedForTheOtherOperationItDoesNotObeyBlindly) {
         InterpretOptions o = optionsFor(c.target, {});
         o.operation = c.operation == Operation::Add ? Operation::Cut : Operation::Add;
         const auto strokes = exactStrokes(linesOnPlane(c));
-        for (const Candidate& k : interpret(strokes, library(), o).candidates) {
+        for (const Candidate& k : interpret(strokes, shippedLibrary(), o).candidates) {
             EXPECT_EQ(k.operation, o.operation) << c.name;
         }
         o.operation = c.operation;
-        expectRight(c, interpret(strokes, library(), o));
+        expectRight(c, interpret(strokes, shippedLibrary(), o));
     }
 }
 
@@ -169,7 +164,7 @@ TEST(Modification, ASketchBesideTheSolidIsANewBody) {
     const Interpretation r = interpret(
         exactStrokes(
             {{y, a}, {y, b}, {y, c}, {a, ab}, {b, ab}, {b, bc}, {c, bc}, {c, ca}, {a, ca}}),
-        library(), o);
+        shippedLibrary(), o);
     ASSERT_TRUE(r.accepted);
     EXPECT_EQ(r.candidates[static_cast<std::size_t>(*r.accepted)].operation, Operation::Create);
 }
@@ -179,7 +174,7 @@ TEST(Modification, ALineAlongAnEdgeOnlyChangesNothing) {
     const InterpretOptions o = optionsFor(first.target, {});
     const Interpretation r = interpret(
         exactStrokes({{o.camera.project(Vec3(10, 0, 40)), o.camera.project(Vec3(70, 0, 40))}}),
-        library(), o);
+        shippedLibrary(), o);
     EXPECT_FALSE(r.accepted);
     ASSERT_TRUE(r.problem);
     EXPECT_FALSE(r.problem->message.empty());
@@ -189,7 +184,7 @@ TEST(Modification, ExtractedEdgesAreToldFromStrokes) {
     for (const ModificationCase& c : boxModifications()) {
         if (c.name != "corner notch by its outline") continue;
         const InterpretOptions o = optionsFor(c.target, {});
-        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), library(), o);
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
         const auto extracted =
             std::count_if(r.graph.edges.begin(), r.graph.edges.end(),
                           [](const GraphEdge& e) { return e.origin == EdgeOrigin::Model; });
@@ -204,7 +199,7 @@ TEST(Modification, AShakyHandsNotchSnapsToTheBoxesDirections) {
         if (c.name != "edge notch by its outline" && c.name != "box over the whole face") continue;
         const InterpretOptions o = optionsFor(c.target, {});
         const Interpretation r =
-            interpret(drawByHand(linesOnPlane(c), kLightHand, random), library(), o);
+            interpret(drawByHand(linesOnPlane(c), kLightHand, random), shippedLibrary(), o);
         ASSERT_TRUE(r.accepted) << c.name;
         const Candidate& best = r.candidates[static_cast<std::size_t>(*r.accepted)];
         ASSERT_TRUE(best.result);

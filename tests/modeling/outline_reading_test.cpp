@@ -11,11 +11,6 @@
 namespace ew {
 namespace {
 
-std::shared_ptr<const LibraryEntry> entryOf(const std::string& id) {
-    const LibraryIndex& index = test::shippedLibrary().index();
-    return index.entries[static_cast<std::size_t>(index.byId.at(id))];
-}
-
 InkReading boxInk(const std::vector<std::size_t>& leftOut = {}) {
     const std::vector<Stroke> all = test::boxStrokes({}, Vec3(60, 40, 30), Vec3(-30, -20, 0));
     std::vector<Stroke> strokes;
@@ -27,7 +22,7 @@ InkReading boxInk(const std::vector<std::size_t>& leftOut = {}) {
 }
 
 TEST(OutlineReading, LaysABoxOnABox) {
-    const auto found = readingsByOutline(boxInk(), entryOf("cube"), {});
+    const auto found = readingsByOutline(boxInk(), test::entryOf("cube"), {});
     ASSERT_FALSE(found.empty());
     const OutlineReading& r = found.front();
     EXPECT_EQ(r.graph.junctions.size(), 7u);
@@ -51,17 +46,17 @@ TEST(OutlineReading, SaysHowMuchOfItsEdgesIsBare) {
     auto& samples = strokes.front().samples;
     const double length = (samples[1].position - samples[0].position).norm();
     samples[1].position = 0.5 * (samples[0].position + samples[1].position);
-    const auto found = readingsByOutline(readInk(strokes, 14.0), entryOf("cube"), {});
+    const auto found = readingsByOutline(readInk(strokes, 14.0), test::entryOf("cube"), {});
     ASSERT_FALSE(found.empty());
     EXPECT_NEAR(found.front().barePx, 0.5 * length - 14.0, 8.0);
 }
 
 TEST(OutlineReading, NeedsInkForEveryEdge) {
-    EXPECT_TRUE(readingsByOutline(boxInk({0}), entryOf("cube"), {}).empty());
+    EXPECT_TRUE(readingsByOutline(boxInk({0}), test::entryOf("cube"), {}).empty());
 }
 
 TEST(OutlineReading, FindsNoLPrismInABox) {
-    EXPECT_TRUE(readingsByOutline(boxInk(), entryOf("l-prism"), {}).empty());
+    EXPECT_TRUE(readingsByOutline(boxInk(), test::entryOf("l-prism"), {}).empty());
 }
 
 // Where the outline is not convex the corners of its convex hull are laid on those of the ink.
@@ -78,7 +73,8 @@ TEST(OutlineReading, LaysAnLPrismOnAnLPrism) {
                 return std::min((l[0] - j.position).norm(), (l[1] - j.position).norm()) < 1.0;
             });
         };
-        const auto readings = readingsByOutline(readInk(strokes, 14.0), entryOf("l-prism"), {});
+        const auto readings =
+            readingsByOutline(readInk(strokes, 14.0), test::entryOf("l-prism"), {});
         found += std::any_of(readings.begin(), readings.end(), [&](const OutlineReading& r) {
             return r.graph.edges.size() == lines.size() && r.barePx == 0.0 &&
                    std::all_of(r.graph.junctions.begin(), r.graph.junctions.end(), onAnEnd);

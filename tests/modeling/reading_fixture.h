@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/modeling/interpretation.h"
 #include "core/tlib/library.h"
+#include "core/tlib/library_index.h"
 
 namespace ew::test {
 
@@ -18,6 +20,12 @@ inline const TemplateLibrary& shippedLibrary() {
         return load ? load->library : TemplateLibrary();
     }();
     return kLibrary;
+}
+
+/// A template of that library, by its id.
+inline std::shared_ptr<const LibraryEntry> entryOf(const std::string& id) {
+    const LibraryIndex& index = shippedLibrary().index();
+    return index.entries[static_cast<std::size_t>(index.byId.at(id))];
 }
 
 inline Stroke line(const Vec2& a, const Vec2& b) {
