@@ -211,7 +211,7 @@ InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
     InkReading ink = readWithWobble(strokes, distancePx, tol::kWobbleUnknownPx);
     // A steady hand means its slight bends, so it is read again with less tolerance.
     const double wobble = std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx));
-    if (wobble < 0.6 * tol::kWobbleUnknownPx) {
+    if (wobble < tol::kWobbleUnknownPx) {
         ink = readWithWobble(strokes, distancePx, wobble);
     } else {
         // In a small drawing most pieces may have an overlooked corner. A hand that was steady in

@@ -98,11 +98,8 @@ std::vector<std::array<Vec2, 2>> linesNear(const InkReading& ink, const ModelVie
     reach.min() -= more;
     reach.max() += more;
     std::vector<std::array<Vec2, 2>> lines;
-    for (const VisiblePiece& v : model.pieces()) {
-        if (v.point) continue;
-        Eigen::AlignedBox2d piece(v.px[0]);
-        piece.extend(v.px[1]);
-        if (piece.intersects(reach)) lines.push_back(v.px);
+    for (const std::size_t i : model.piecesNear(reach)) {
+        if (!model.pieces()[i].point) lines.push_back(model.pieces()[i].px);
     }
     return lines;
 }

@@ -42,8 +42,15 @@ class Layer {
         for (const double depth : depths()) {
             const auto us = pairsAlong(0, depth);
             const auto vs = pairsAlong(1, depth);
+            std::vector<double> leastOfV;
+            for (const auto& v : vs) leastOfV.push_back(leastCost(1, v, depth));
+            const double worst = found.size() < kLookedAt ? std::numeric_limits<double>::infinity()
+                                                          : found.back().cost;
             for (const auto& u : us) {
-                for (const auto& v : vs) {
+                const double leastOfU = leastCost(0, u, depth);
+                for (std::size_t j = 0; j < vs.size(); ++j) {
+                    const auto& v = vs[j];
+                    if (leastOfU + leastOfV[j] > worst) continue;
                     Box box;
                     box.on[2][0] = frame_.face;
                     box.side[2] = {0.0, depth};
@@ -144,7 +151,7 @@ class Layer {
         Place place{value, 0.0};
         const double reach = 1e-6 * frame_.sizePx;
         for (std::size_t f = 0; f < model.solid().faces().size(); ++f) {
-            const CameraPlane plane = model.plane(static_cast<int>(f));
+            const CameraPlane& plane = model.plane(static_cast<int>(f));
             const double turn = plane.normal.dot(frame_.axis[axis]);
             if (std::abs(turn) < 1 - tol::kSolidDirection) continue;
             const double here = (plane.offset - plane.normal.dot(frame_.origin)) / turn;
@@ -205,6 +212,33 @@ class Layer {
         return deep >= distance_;
     }
 
+    /// No box with these two sides across an axis and this depth costs less: its lines along the
+    /// other axis of the face are at least as far from all edges as this.
+    double leastCost(std::size_t axis, const std::array<Place, 2>& pair, double depth) const {
+        const std::size_t other = 1 - axis;
+        const double scale = frame_.across(other, axis);
+        const double deep = depth * frame_.across(other, 2);
+        const double variance = options_.noisePx * options_.noisePx;
+        double cost = 0;
+        for (const BoxLine& l : frame_.lines) {
+            if (l.axis != static_cast<int>(other)) continue;
+            double least = std::min(kStray, l.modelOff * l.modelOff / variance);
+            for (const Place& p : pair) {
+                for (const double z : {0.0, deep}) {
+                    const double off = l.offset - p.value * scale - z;
+                    least = std::min(least, off * off / variance);
+                }
+            }
+            cost += least * weightOf(l);
+        }
+        return cost;
+    }
+
+    /// What a line counts for.
+    double weightOf(const BoxLine& l) const {
+        return std::clamp(l.length / (4.0 * distance_), 0.25, 2.0);
+    }
+
     double barePrice(double px) const { return tol::kExtraEdgeCost * px / (4.0 * distance_); }
 
     /// Gives every line to the edge that it is nearest to; the cost of how far they are.
@@ -234,7 +268,7 @@ class Layer {
                                 : least * variance > near * near) {
                 strayPx += l.length;
             }
-            cost += least * std::clamp(l.length / (4.0 * distance_), 0.25, 2.0);
+            cost += least * weightOf(l);
             if (best == nullptr) continue;
             best->covered += std::max(0.0, overlap);
             best->lines.push_back(i);

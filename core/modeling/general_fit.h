@@ -61,10 +61,17 @@ struct Anchors {
         int edge;        ///< TemplateAnalysis::edges
         Vec3 direction;  ///< unit
     };
+    /// The apex of a triangle lies over the middle of its base.
+    struct Median {
+        int apex;
+        std::array<int, 2> base;
+        Vec3 direction;  ///< from the middle of the base to the apex, unit, either way
+    };
     std::vector<Plane> planes;
     std::vector<Line> lines;
     std::vector<Point> points;
     std::vector<Direction> directions;
+    std::vector<Median> medians;  ///< for solveLinearly() only
 
     double depth() const;  ///< about where it all is [px]
 };

@@ -20,7 +20,7 @@ double handNoisePx(const InkReading& ink);
 double endSpread(const std::vector<Segment>& segments, double distancePx);
 
 /// Length of the ink that runs neither along an edge of the placed template nor along a visible one
-/// of the model [px].
+/// of the model [px]. Edges of what is added count only where the solid does not hide them.
 double unexplainedInk(const InkReading& ink, const Placement& placement, const GraphMatch& match,
                       const ModelView& view, double distancePx, double noisePx);
 

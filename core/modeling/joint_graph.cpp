@@ -30,6 +30,8 @@ class Extraction {
           options_(options),
           redrawn_(model.pieces().size()),
           stops_(model.pieces().size()) {
+        for (const Segment& s : ink.segments) reach_.extend(s.a).extend(s.b);
+        near_ = model_.piecesNear(withinReach());
         for (InkLine& line : consolidate(ink.segments, {distance_, options.reading.mergeScale})) {
             if (!options.redraws || !runsAlong(line)) out_.lines.push_back(std::move(line));
         }
@@ -39,6 +41,8 @@ class Extraction {
         const JoinOptions join{distance_, options_.reading.joinScale, options_.reading.breakReach};
         const auto clusters = joinEnds(out_.lines, join);
         raw_ = planarize(out_.lines, clusters, {join, options_.reading.throughReach});
+        for (const Vec2& v : raw_.vertices) reach_.extend(v);
+        near_ = model_.piecesNear(withinReach());
         inkEdges();
         modelEdges();
         keepShortWays();
@@ -46,13 +50,42 @@ class Extraction {
     }
 
   private:
+    /// What ink may touch.
+    Eigen::AlignedBox2d withinReach() const {
+        const Vec2 more = Vec2::Constant(2.0 * distance_);
+        return {reach_.min() - more, reach_.max() + more};
+    }
+
+    /// What ink may touch, and the edges that go on from there: those between two that it touches
+    /// are among them.
+    std::vector<std::size_t> nearAndNext() const {
+        std::vector<bool> ended(model_.solid().vertices().size(), false);
+        const auto eachCorner = [&](std::size_t q, auto&& what) {
+            for (const PieceEnd& end : model_.pieces()[q].ends) {
+                if (end.kind == PieceEnd::Kind::Vertex) what(at(end.index));
+            }
+        };
+        std::vector<bool> taken(model_.pieces().size(), false);
+        for (const std::size_t q : near_) {
+            taken[q] = true;
+            eachCorner(q, [&](std::size_t v) { ended[v] = true; });
+        }
+        std::vector<std::size_t> all;
+        for (std::size_t q = 0; q < taken.size(); ++q) {
+            bool take = taken[q];
+            eachCorner(q, [&](std::size_t v) { take = take || ended[v]; });
+            if (take) all.push_back(q);
+        }
+        return all;
+    }
+
     /// A stroke along a model edge is that edge.
     bool runsAlong(const InkLine& line) {
         int best = -1;
         double least = std::numeric_limits<double>::infinity();
         Span span{};
         const double slack = std::atan(0.5 * distance_ / std::max(line.length(), 1.0)) * kRadian;
-        for (std::size_t p = 0; p < model_.pieces().size(); ++p) {
+        for (const std::size_t p : near_) {
             const VisiblePiece& piece = model_.pieces()[p];
             const Vec2 u = piece.px[1] - piece.px[0];
             const double len = u.norm();
@@ -104,7 +137,8 @@ class Extraction {
         const Vec2 p = raw_.vertices[at(v)];
         int corner = -1;
         double nearest = distance_;
-        for (const VisiblePiece& piece : model_.pieces()) {
+        for (const std::size_t q : near_) {
+            const VisiblePiece& piece = model_.pieces()[q];
             for (std::size_t s = 0; s < 2; ++s) {
                 if (piece.ends[s].kind != PieceEnd::Kind::Vertex) continue;
                 const double d = (piece.px[s] - p).norm();
@@ -123,7 +157,7 @@ class Extraction {
         int best = -1;
         double least = std::numeric_limits<double>::infinity();
         double share = 0;
-        for (std::size_t q = 0; q < model_.pieces().size(); ++q) {
+        for (const std::size_t q : near_) {
             const auto hit = onPiece(model_.pieces()[q], p, around);
             if (!hit || hit->cost >= least) continue;
             least = hit->cost;
@@ -191,7 +225,7 @@ class Extraction {
     }
 
     void modelEdges() {
-        for (std::size_t q = 0; q < model_.pieces().size(); ++q) {
+        for (const std::size_t q : nearAndNext()) {
             const VisiblePiece& piece = model_.pieces()[q];
             if (piece.point) continue;
             auto& stops = stops_[q];
@@ -281,6 +315,8 @@ class Extraction {
     const ExtractOptions& options_;
     JointGraph out_;
     RawGraph raw_;
+    Eigen::AlignedBox2d reach_;      ///< of the ink and its joints
+    std::vector<std::size_t> near_;  ///< pieces that it may touch
     std::vector<int> node_;
     std::map<int, int> corner_;
     std::vector<std::vector<Span>> redrawn_;

@@ -138,6 +138,14 @@ class LinearFit {
                 plane(rows, a.vertex, k, k.dot(a.point));
             }
         }
+        for (const Anchors::Median& a : anchors_.medians) {
+            const Vec3 n = a.direction.unitOrthogonal();
+            for (const Vec3& k : {n, Vec3(a.direction.cross(n))}) {
+                rows.begin(0.0);
+                rows.add(a.apex, k);
+                for (const int v : a.base) rows.add(v, -0.5 * k);
+            }
+        }
         for (const Anchors::Point& a : anchors_.points) {
             for (int i = 0; i < 3; ++i) plane(rows, a.vertex, Vec3::Unit(i), a.point(i));
         }

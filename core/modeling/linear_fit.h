@@ -17,7 +17,7 @@ bool isLinear(const Template& tmpl, const TemplateAnalysis& analysis, const Know
 
 /// As solveAnchored, in closed form: least squares under linear constraints. What drawing and
 /// constraints leave open makes the edges concerned about as long as the others.
-/// \param anchors  planes, lines and points; its directions are not looked at.
+/// \param anchors  planes, lines, points and medians; its directions are not looked at.
 /// \pre isLinear(). Nothing where the constraints contradict each other. Cost: O(vertices^3).
 std::optional<GeneralSolution> solveLinearly(const Template& tmpl, const TemplateAnalysis& analysis,
                                              const Sighting& sighting, const Anchors& anchors,

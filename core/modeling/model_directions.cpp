@@ -9,7 +9,9 @@
 
 namespace ew {
 
-std::vector<ModelDirection> directionsNear(const ModelView& model, const std::vector<int>& faces) {
+namespace {
+
+std::vector<ModelDirection> collect(const ModelView& model, const std::set<int>& own) {
     std::vector<ModelDirection> known;
     const auto add = [&](const Vec3& d, ToolEdgeRule::Kind kind, int index, int other = -1) {
         const bool have = std::any_of(known.begin(), known.end(), [&](const ModelDirection& k) {
@@ -28,7 +30,6 @@ std::vector<ModelDirection> directionsNear(const ModelView& model, const std::ve
             }
         }
     };
-    const std::set<int> own(faces.begin(), faces.end());
     addAll(own);
     std::set<int> around;
     for (const int f : own) {
@@ -46,6 +47,18 @@ std::vector<ModelDirection> directionsNear(const ModelView& model, const std::ve
         }
     }
     return known;
+}
+
+}  // namespace
+
+const std::vector<ModelDirection>& directionsNear(const ModelView& model,
+                                                  const std::vector<int>& faces) {
+    const std::set<int> own(faces.begin(), faces.end());
+    ModelView::DirectionMemo& memo = model.directionMemo();
+    std::vector<int> key(own.begin(), own.end());
+    const auto known = memo.find(key);
+    if (known != memo.end()) return known->second;
+    return memo.emplace(std::move(key), collect(model, own)).first->second;
 }
 
 }  // namespace ew

@@ -27,18 +27,17 @@ ModelView::ModelView(const Body& body, const OrthographicCamera& camera, SolidVi
             faceEdges_[at(f)].push_back(static_cast<int>(e));
         }
     }
+    planes_.reserve(body_.solid.faces().size());
+    for (const SolidFace& f : body_.solid.faces()) {
+        const Vec3 n = toCamera_ * f.normal;
+        planes_.push_back({n, n.dot(vertex(f.loops.front().front()))});
+    }
     tolerance_ = tol::kPlanarRelative * (bounds[1] - bounds[0]).norm();
 }
 
 Vec3 ModelView::vertex(int v) const {
     const Vec2& p = view_.points()[at(v)];
     return {p.x(), p.y(), view_.depths()[at(v)]};
-}
-
-CameraPlane ModelView::plane(int face) const {
-    const SolidFace& f = body_.solid.faces()[at(face)];
-    const Vec3 n = toCamera_ * f.normal;
-    return {n, n.dot(vertex(f.loops.front().front()))};
 }
 
 Vec3 ModelView::direction(const Vec3& body) const { return (toCamera_ * body).normalized(); }
@@ -61,6 +60,16 @@ std::optional<int> ModelView::faceAt(const Vec2& px) const {
 bool ModelView::vertexInFace(int vertex, int face) const {
     const SolidFace& f = body_.solid.faces()[at(face)];
     return std::abs(f.normal.dot(body_.solid.vertices()[at(vertex)]) - f.offset) <= tolerance_;
+}
+
+std::vector<std::size_t> ModelView::piecesNear(const Eigen::AlignedBox2d& part) const {
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        Eigen::AlignedBox2d piece(pieces_[i].px[0]);
+        piece.extend(pieces_[i].px[1]);
+        if (piece.intersects(part)) near.push_back(i);
+    }
+    return near;
 }
 
 bool ModelView::edgeInFace(int edge, int face) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/base/tolerance.h"
@@ -300,19 +301,28 @@ class Modification {
         }
     }
 
-    /// Is it a body that was made already? Several looks at the strokes often end in the same.
-    static bool repeats(const Option& o, const std::vector<Option>& done) {
+    /// Is it a body that was made already? Several looks at the strokes often end in the same, or
+    /// in one that lies in the same faces and whose corners no hand can tell apart.
+    bool repeats(const Option& o, const std::vector<Option>& done) const {
         constexpr double kSamePx = 0.01;
         return std::any_of(done.begin(), done.end(), [&](const Option& d) {
             const CameraPoints& p = o.placement.points;
             const CameraPoints& q = d.placement.points;
+            const double reach = liesIn(o.placement) == liesIn(d.placement) ? distance_ : kSamePx;
             return d.body == o.body && d.placement.operation == o.placement.operation &&
                    d.match.entry == o.match.entry &&
                    std::all_of(p.begin(), p.end(), [&](const Vec3& x) {
                        return std::any_of(q.begin(), q.end(),
-                                          [&](const Vec3& y) { return (x - y).norm() < kSamePx; });
+                                          [&](const Vec3& y) { return (x - y).norm() < reach; });
                    });
         });
+    }
+
+    /// Faces of the solid that sides of the body lie in.
+    static std::multiset<int> liesIn(const Placement& p) {
+        std::multiset<int> faces;
+        for (const auto& pair : p.coinciding) faces.insert(pair[1]);
+        return faces;
     }
 
     /// The reason that is told is that of the best option.

@@ -9,7 +9,7 @@ namespace ew {
 /// What strokes on the solids that are there may mean.
 struct ModificationReading {
     Interpretation interpretation;  ///< graph, candidates that add or cut, accepted or problem
-    bool touches = false;  ///< some stroke meets a solid, or most of the ink lies over one
+    bool touches = false;           ///< some stroke meets a solid, or most of the ink lies over one
     bool redraws = false;           ///< all strokes are edges of a solid already
 };
 

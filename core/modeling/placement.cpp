@@ -12,6 +12,7 @@
 #include "core/modeling/anchor_start.h"
 #include "core/modeling/placement_directions.h"
 #include "core/modeling/placement_faces.h"
+#include "core/modeling/placement_price.h"
 #include "core/modeling/placement_relations.h"
 
 namespace ew {
@@ -175,6 +176,7 @@ class Placer {
             // What agrees with the ink needs no second opinion.
             if (best.placed && agrees(*best.placed)) break;
         }
+        evenSlopes(pairs, operation, assignments, best);
         if (!(best.placed && agrees(*best.placed))) loosen(pairs, operation, assignments, best);
         if (!options_.plain && !(best.placed && agrees(*best.placed))) {
             DirectionAssignment none;
@@ -194,6 +196,22 @@ class Placer {
         auto flush = snapFaces(*best.placed, best.directions, best.keep);
         if (flush && onItsSide(*flush)) best.placed = std::move(flush);
         out_.push_back(std::move(*best.placed));
+    }
+
+    /// Grooves and roofs with both slopes as steep. Whether they are said to be or to have one
+    /// upright is for the ink to tell: both leave as much open.
+    void evenSlopes(const FacePairs& pairs, Operation operation,
+                    const std::vector<DirectionAssignment>& assignments, Best& best) const {
+        const std::vector<Ridge> ridges = ridgesOf(tmpl_, analysis_, pairs);
+        if (ridges.empty()) return;
+        for (const DirectionAssignment& a : assignments) {
+            if (!isLinear(tmpl_, analysis_, a.known())) continue;
+            if (!slopesAreFree(ridges, analysis_, a)) continue;
+            KeptRelations even;
+            even.symmetric = true;
+            consider(pairs, operation, a, even, best);
+            return;
+        }
     }
 
     /// What was drawn near an edge or a corner of the solid need not be meant to lie there: tries
@@ -273,19 +291,26 @@ class Placer {
             anchors.directions.push_back({static_cast<int>(e), d->direction});
             out.tool.edges.push_back({analysis_.edges[e].ends, d->kind, d->index, d->other});
         }
+        if (keep.symmetric) {
+            for (const Ridge& r : ridgesOf(tmpl_, analysis_, pairs)) {
+                anchors.medians.push_back({r.apex, r.base, model_.plane(r.face).normal});
+            }
+        }
         const auto solution = solved(anchors, directions, keep, operation);
         if (!solution) return std::nullopt;
         out.points = solution->points;
         out.residualPx = residualPx(sighting_, analysis_, out.points);
         if (!(out.residualPx <= most()) && !keep.overrule) return std::nullopt;
         out.directions = directions;
-        out.misfit = misfit(out.points);
+        out.misfit = misfitOf(sighting_, analysis_, out.points, options_.noisePx);
         out.open = solution->freedoms;
         out.parameters = solution->parameters;
-        out.cost =
-            out.misfit + directions.cost + tol::kStrangeDirectionCost * strangeDirections(out) +
-            tol::kFreedomCost * solution->parameters + tol::kUnseenPlaneCost * solution->freedoms +
-            tol::kModelEdgeCost * reading_.modelEdges;
+        out.cost = out.misfit + directions.cost +
+                   tol::kStrangeDirectionCost *
+                       (strangeDirections(out, analysis_, model_) - (keep.symmetric ? 1 : 0)) +
+                   tol::kFreedomCost * solution->parameters +
+                   tol::kUnseenPlaneCost * solution->freedoms +
+                   tol::kModelEdgeCost * reading_.modelEdges;
         return finishTool(out) ? std::optional<Placement>(std::move(out)) : std::nullopt;
     }
 
@@ -310,39 +335,6 @@ class Placer {
         }
         return solveAnchored(tmpl_, analysis_, sighting_,
                              keptRelations(tmpl_, analysis_, directions, keep), anchors, start);
-    }
-
-    /// Direction classes that come out along no direction of the model nearby.
-    int strangeDirections(const Placement& p) const {
-        std::vector<int> faces;
-        for (const auto& pair : p.coinciding) faces.push_back(pair[1]);
-        const std::vector<ModelDirection> known = directionsNear(model_, faces);
-        std::vector<bool> strange(at(analysis_.classCount), true);
-        for (const AnalysedEdge& e : analysis_.edges) {
-            const Vec3 d = (p.points[at(e.ends[1])] - p.points[at(e.ends[0])]).normalized();
-            if (std::any_of(known.begin(), known.end(), [&](const ModelDirection& k) {
-                    return k.direction.cross(d).norm() < tol::kSolidDirection;
-                })) {
-                strange[at(e.directionClass)] = false;
-            }
-        }
-        return static_cast<int>(std::count(strange.begin(), strange.end(), true));
-    }
-
-    double misfit(const CameraPoints& points) const {
-        const double variance =
-            std::max(options_.noisePx * options_.noisePx, tol::kNoiseFloorPx * tol::kNoiseFloorPx);
-        double sum = 0;
-        for (const DrawnEdge& d : sighting_.edges) {
-            const auto& ends = analysis_.edges[at(d.edge)].ends;
-            const Vec2 a = points[at(ends[0])].head<2>();
-            const Vec2 u = points[at(ends[1])].head<2>() - a;
-            for (const Vec2& tip : d.tips) {
-                const double off = cross2(u, tip - a) / std::max(u.norm(), 1e-9);
-                sum += off * off / variance;
-            }
-        }
-        return sum;
     }
 
     /// A cut lies behind the faces that it opens in, an added body before the one it stands on.
@@ -378,7 +370,7 @@ class Placer {
         double deepest = 0;
         int bottom = -1;
         for (std::size_t f = 0; f < model_.solid().faces().size(); ++f) {
-            const CameraPlane plane = model_.plane(static_cast<int>(f));
+            const CameraPlane& plane = model_.plane(static_cast<int>(f));
             if (plane.normal.dot(mouth.normal) > -1 + tol::kSolidDirection) continue;
             const double depth = mouth.offset + plane.offset;
             if (depth > deepest) {
@@ -406,7 +398,7 @@ class Placer {
             double least = options_.thresholds.distancePx;
             int best = -1;
             for (std::size_t f = 0; f < model_.solid().faces().size(); ++f) {
-                const CameraPlane plane = model_.plane(static_cast<int>(f));
+                const CameraPlane& plane = model_.plane(static_cast<int>(f));
                 if (plane.normal.cross(n).norm() > tol::kSolidDirection) continue;
                 const double off =
                     std::abs(plane.normal.dot(placed.points[at(loop[0])]) - plane.offset);

@@ -71,11 +71,10 @@ std::vector<DrawnClass> drawnClasses(const JointReading& reading, const GraphMat
 class Chooser {
   public:
     Chooser(const ModelView& model, const FacePairs& pairs, const DirectionOptions& options)
-        : model_(model), pairs_(pairs), options_(options) {
-        std::vector<int> faces;
-        for (const auto& p : pairs) faces.push_back(p[1]);
-        known_ = directionsNear(model, faces);
-    }
+        : model_(model),
+          pairs_(pairs),
+          options_(options),
+          known_(directionsNear(model, facesOf(pairs))) {}
 
     std::vector<Choice> choices(const DrawnClass& c) const {
         if (c.modelEdge >= 0) {
@@ -94,6 +93,12 @@ class Chooser {
     }
 
   private:
+    static std::vector<int> facesOf(const FacePairs& pairs) {
+        std::vector<int> faces;
+        for (const auto& p : pairs) faces.push_back(p[1]);
+        return faces;
+    }
+
     std::vector<Choice> near(const DrawnClass& c) const {
         const double drawn = 0.5 * std::atan2(c.doubled.y(), c.doubled.x());
         const double excuse = std::atan(options_.noisePx / std::max(0.5 * c.length, 1.0)) * kRadian;
@@ -123,7 +128,7 @@ class Chooser {
     const ModelView& model_;
     const FacePairs& pairs_;
     const DirectionOptions& options_;
-    std::vector<ModelDirection> known_;
+    const std::vector<ModelDirection>& known_;
 };
 
 /// Perpendicular classes of the template that take directions which are not.

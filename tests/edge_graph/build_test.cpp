@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/edge_graph/canonical.h"
 #include "core/edge_graph/edit.h"
@@ -54,6 +55,36 @@ TEST(BuildEdgeGraph, AnExactBoxHasExactJunctions) {
         return (j.position - Vec2(400, 400)).norm() < 1e-9;
     });
     EXPECT_TRUE(found);
+}
+
+/// Samples along a polyline that sway by so much to both sides.
+Stroke swaying(const std::vector<Vec2>& corners, double byPx) {
+    Stroke s;
+    double along = 0;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const Vec2 d = corners[i + 1] - corners[i];
+        const Vec2 aside = Vec2(-d.y(), d.x()).normalized();
+        for (double t = 0; t < d.norm(); t += 1.5, along += 1.5) {
+            s.samples.push_back(
+                {corners[i] + t * d.normalized() + byPx * std::sin(along / 11.0) * aside, 1,
+                 8.0 * along});
+        }
+    }
+    s.samples.push_back({corners.back(), 1, 8.0 * along});
+    return s;
+}
+
+// A leg of 28 px that turns by 36 degrees into a line three times as long.
+TEST(ReadInk, AShortEdgesCornerIsFoundWhereTheHandIsKnown) {
+    const std::vector<Vec2> bent{{532, 406}, {550, 385}, {629, 366}};
+    const std::vector<Stroke> strokes{swaying({{767, 322}, {634, 358}}, 1.7), swaying(bent, 1.7),
+                                      swaying({{527, 408}, {519, 343}}, 1.7),
+                                      swaying({{515, 338}, {730, 284}}, 1.7)};
+    const InkReading ink = readInk(strokes, kThreshold);
+    ASSERT_EQ(ink.segments.size(), 5u);
+    EXPECT_EQ(ink.segments[1].stroke, 1);
+    EXPECT_EQ(ink.segments[2].stroke, 1);
+    EXPECT_LT((ink.segments[2].a - bent[1]).norm(), 6.5);
 }
 
 TEST(BuildEdgeGraph, EndsWithinTheThresholdMeetAndOthersDoNot) {

@@ -120,6 +120,35 @@ TEST(LinearFit, ThePrismsTriangleMayTurnFreelyAcrossItsLength) {
     expectPoints(*fit, points);
 }
 
+TEST(LinearFit, TheMedianOfATriangleStandsWhereItIsToldTo) {
+    const Shipped s = shipped("triangular-prism");
+    const CameraPoints points = turned(s.tmpl.shape, kTurn);
+    KnownDirections known = directionsOf(s, points);
+    // Base 0-1 and 3-4, apexes 2 and 5: both slopes are free.
+    known[classOf(s, 1, 2)].reset();
+    known[classOf(s, 2, 0)].reset();
+    Anchors anchors = standing(points, {0, 1, 4, 3});
+    const Vec3 up = anchors.planes.front().normal;
+    // The apexes were drawn aside of the middle.
+    CameraPoints drawn = points;
+    const Vec3 aside = 6.0 * (points[1] - points[0]).normalized();
+    drawn[2] += aside;
+    drawn[5] += aside;
+    const auto lean = solveLinearly(s.tmpl, s.analysis, seen(s, drawn), anchors, known);
+    ASSERT_TRUE(lean);
+    EXPECT_LT((lean->points[2] - drawn[2]).norm(), 1e-8);
+    anchors.medians = {{2, {0, 1}, up}, {5, {3, 4}, up}};
+    const auto even = solveLinearly(s.tmpl, s.analysis, seen(s, drawn), anchors, known);
+    ASSERT_TRUE(even);
+    EXPECT_EQ(even->parameters, lean->parameters - 1);
+    for (const auto& m : anchors.medians) {
+        const auto at = [&](int v) { return even->points[static_cast<std::size_t>(v)]; };
+        const Vec3 median = at(m.apex) - 0.5 * (at(m.base[0]) + at(m.base[1]));
+        EXPECT_LT(median.cross(up).norm(), 1e-8);
+        EXPECT_GT(median.norm(), 10.0);
+    }
+}
+
 TEST(LinearFit, ABoxThatMayTurnAsItLikesIsNotLinear) {
     const Shipped s = shipped("cube");
     EXPECT_FALSE(isLinear(s.tmpl, s.analysis,

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/solid/boolean.h"
 #include "tests/modeling/reading_fixture.h"
 #include "tests/support/modification_cases.h"
 #include "tests/support/random.h"
@@ -213,6 +214,66 @@ TEST(Modification, AShakyHandsNotchSnapsToTheBoxesDirections) {
             EXPECT_NEAR(d.cwiseAbs().maxCoeff(), d.norm(), 1e-9);
         }
     }
+}
+
+// Both slopes of a V lean alike: one of them is no upright that was drawn badly.
+TEST(Modification, AHandsGroovesAndRoofsAreAsSteepOnBothSides) {
+    constexpr std::uint64_t kDrawings = 12;
+    std::uint64_t right = 0;
+    std::uint64_t all = 0;
+    for (const char* name : {"V groove by its outline", "V groove with its inside",
+                             "roof over the whole face", "roof over a part"}) {
+        for (const int view : {0, 5}) {
+            const auto cases = boxModifications({}, view);
+            const auto c = std::find_if(cases.begin(), cases.end(),
+                                        [&](const auto& one) { return one.name == name; });
+            ASSERT_NE(c, cases.end()) << name;
+            if (!c->told || !c->legible()) continue;
+            InterpretOptions o;
+            o.camera = c->camera;
+            o.bodies = {c->target};
+            for (std::uint64_t i = 0; i < kDrawings; ++i, ++all) {
+                Random hand(Random::mix(23, i));
+                const Interpretation r =
+                    interpret(drawByHand(linesOnPlane(*c), kNormalHand, hand), shippedLibrary(), o);
+                if (!r.accepted) continue;
+                const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+                const double change = std::abs(c->volume - c->target.solid.volume());
+                right += k.result && k.operation == c->operation &&
+                         std::abs(k.result->volume() - c->volume) < 0.15 * change;
+            }
+        }
+    }
+    EXPECT_GE(all, 5 * kDrawings);
+    EXPECT_GE(static_cast<double>(right), 0.88 * static_cast<double>(all)) << all;
+}
+
+// The same lines could be a box further back, but that one would be hidden.
+TEST(Modification, WhatIsAddedIsNotDrawnWhereTheSolidHidesIt) {
+    Body body{solidOf(boxSpec(Vec3::Zero(), Vec3(320, 320, 40))), {}};
+    const Solid boss = solidOf(boxSpec(Vec3(180, 180, 40), Vec3(220, 220, 60)));
+    body.solid = combine(body.solid, boss, BooleanKind::Add)->solid;
+    const PolyhedronSpec spec = boxSpec(Vec3(190, 190, 60), Vec3(210, 210, 76));
+    InterpretOptions o;
+    o.camera = modificationCamera(0, Vec3(190, 190, 60), {});
+    o.camera.worldPerPixel = 0.2;
+    o.bodies = {body};
+    ModificationCase c{"slab", "box", 0, body, o.camera, Operation::Add, "cube", {}};
+    c.lines = newVisibleLines(body, combine(body.solid, solidOf(spec), BooleanKind::Add)->solid,
+                              o.camera);
+    constexpr std::uint64_t kDrawings = 12;
+    std::uint64_t right = 0;
+    for (std::uint64_t i = 0; i < kDrawings; ++i) {
+        Random hand(Random::mix(7, i));
+        const Interpretation r =
+            interpret(drawByHand(linesOnPlane(c), kNormalHand, hand), shippedLibrary(), o);
+        if (!r.accepted) continue;
+        const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& v : k.spec.vertices) middle += v / 8.0;
+        right += k.spec.vertices.size() == 8 && (middle - Vec3(200, 200, 68)).norm() < 5.0;
+    }
+    EXPECT_GE(right, kDrawings - 1);
 }
 
 }  // namespace
