@@ -209,23 +209,27 @@ double handWobble(const InkReading& ink, double distancePx, double share = 0.5) 
 
 InkReading readInk(const std::vector<Stroke>& strokes, double distancePx) {
     InkReading ink = readWithWobble(strokes, distancePx, tol::kWobbleUnknownPx);
-    // A steady hand means its slight bends, so it is read again with less tolerance.
-    const double wobble = std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx));
-    if (wobble < tol::kWobbleUnknownPx) {
+    const auto wobbleOf = [&](const InkReading& r, double share) {
+        return std::max(tol::kWobbleLeastPx, 1.3 * handWobble(r, distancePx, share));
+    };
+    // In a small drawing most pieces may have an overlooked corner. A hand that was steady in some
+    // is steady, if that leaves none that strays.
+    bool known = false;
+    const double wobble = wobbleOf(ink, 0.5);
+    const double steady = wobbleOf(ink, kSteadyShare);
+    if (wobble >= 0.6 * tol::kWobbleUnknownPx && steady < 0.25 * tol::kWobbleUnknownPx) {
+        InkReading again = readWithWobble(strokes, distancePx, steady);
+        known = handWobble(again, distancePx) <= steady;
+        if (known) ink = std::move(again);
+    }
+    // A steadier hand than was assumed means its slight bends.
+    if (!known && wobble < tol::kWobbleUnknownPx) {
         ink = readWithWobble(strokes, distancePx, wobble);
-    } else {
-        // In a small drawing most pieces may have an overlooked corner. A hand that was steady in
-        // some is steady, if that leaves none that strays.
-        const double steady =
-            std::max(tol::kWobbleLeastPx, 1.3 * handWobble(ink, distancePx, kSteadyShare));
-        if (steady < 0.25 * tol::kWobbleUnknownPx) {
-            InkReading again = readWithWobble(strokes, distancePx, steady);
-            if (handWobble(again, distancePx) <= steady) ink = std::move(again);
-        }
     }
     // No hand is that steady: the lines are computed or ruled, and their corners are all meant.
-    if (handWobble(ink, distancePx) < tol::kRuledPx) {
-        ink = readWithWobble(strokes, distancePx, tol::kRuledWobblePx);
+    if (handWobble(ink, distancePx, kSteadyShare) < tol::kRuledPx) {
+        InkReading ruled = readWithWobble(strokes, distancePx, tol::kRuledWobblePx);
+        if (handWobble(ruled, distancePx) < tol::kRuledPx) ink = std::move(ruled);
     }
     ink.wobblePx = handWobble(ink, distancePx);
     return ink;

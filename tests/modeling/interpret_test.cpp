@@ -65,6 +65,22 @@ TEST(Interpret, SmallExactDrawingsKeepTheirCorners) {
     }
 }
 
+// Half of the pieces show that the lines are ruled, the others have a corner overlooked at first.
+TEST(Interpret, RuledLinesAreToldByHalfOfThem) {
+    test::Random random(22304);
+    const auto sketch = test::randomSketch("cube", random);
+    std::vector<Stroke> strokes = exactStrokes(sketch, random);
+    InterpretOptions o;
+    o.camera = sketch.camera;
+    const double truth = volumeOf(sketch.spec);
+    for (int way = 0; way < 2; ++way) {
+        const auto r = readStrokes(strokes, o);
+        ASSERT_TRUE(r.accepted);
+        EXPECT_NEAR(volumeOf(r.candidates[0].spec) / truth, 1.0, 1e-6);
+        for (Stroke& s : strokes) std::reverse(s.samples.begin(), s.samples.end());
+    }
+}
+
 class ExactDrawings : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ExactDrawings, AreReadAsTheirTemplate) {
