@@ -132,6 +132,8 @@ void FrameRenderer::render(unsigned framebuffer, bool keepAlpha) {
     gl->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
+bool FrameRenderer::stale() const { return d_->mustDraw || d_->scene.changed(); }
+
 void FrameRenderer::finish() {
     Private& d = *d_;
     if (!d.ready) return;

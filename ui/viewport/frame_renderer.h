@@ -34,6 +34,8 @@ class FrameRenderer {
     /// \param keepAlpha  the framebuffer gets the alpha of the scene, premultiplied; else it is
     ///                   opaque.
     void render(unsigned framebuffer, bool keepAlpha = false);
+    /// Would render() draw the scene anew?
+    bool stale() const;
     void finish();
 
   private:

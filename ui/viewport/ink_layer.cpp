@@ -174,7 +174,7 @@ void InkLayer::resize(const QSize& devicePixels, double devicePixelRatio) {
     valid_ = false;
 }
 
-void InkLayer::update(const std::vector<PendingStroke>& strokes, const std::vector<bool>& dropped,
+bool InkLayer::update(const std::vector<PendingStroke>& strokes, const std::vector<bool>& dropped,
                       const OrthographicCamera& view, const ThemeColours& colours) {
     std::vector<int> ids;
     ids.reserve(strokes.size());
@@ -184,7 +184,7 @@ void InkLayer::update(const std::vector<PendingStroke>& strokes, const std::vect
                        std::equal(ids_.begin(), ids_.end(), ids.begin()) &&
                        std::equal(dropped_.begin(), dropped_.end(), dropped.begin());
     std::size_t first = grows ? ids_.size() : 0;
-    if (grows && first == ids.size()) return;
+    if (grows && first == ids.size()) return false;
     if (!grows) layer_.clear();
     QPainter painter(&layer_.image());
     painter.setRenderHint(QPainter::Antialiasing);
@@ -200,6 +200,7 @@ void InkLayer::update(const std::vector<PendingStroke>& strokes, const std::vect
     view_ = view;
     colours_ = &colours;
     valid_ = true;
+    return true;
 }
 
 void WetInkLayer::resize(const QSize& devicePixels, double devicePixelRatio) {

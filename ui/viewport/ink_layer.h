@@ -55,7 +55,8 @@ class Layer {
 class InkLayer {
   public:
     void resize(const QSize& devicePixels, double devicePixelRatio);
-    void update(const std::vector<PendingStroke>& strokes, const std::vector<bool>& dropped,
+    /// True where it looks different now.
+    bool update(const std::vector<PendingStroke>& strokes, const std::vector<bool>& dropped,
                 const OrthographicCamera& view, const ThemeColours& colours);
     void paintOn(QPainter& painter) const { layer_.paintOn(painter); }
 

@@ -389,6 +389,8 @@ void Scene::setScale(double devicePixelRatio) {
     d_->changed = true;
 }
 
+bool Scene::changed() const { return d_->changed; }
+
 bool Scene::takeChanged() { return std::exchange(d_->changed, false); }
 
 }  // namespace ew

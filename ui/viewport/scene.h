@@ -16,8 +16,8 @@ namespace ew {
 /// What VTK draws: flat-shaded solids and filleted cages with crisp edges (edges between planar
 /// faces only, never what triangulation brought in), surfaces with their smooth normals and their
 /// creases, strokes on them, hidden edges dashed and the cage over the surface on demand, a quiet
-/// ground grid under everything. Ambient occlusion on demand. A setter that changes nothing costs nothing and does not ask for a
-/// new picture.
+/// ground grid under everything. Ambient occlusion on demand. A setter that changes nothing costs
+/// nothing and does not ask for a new picture.
 class Scene {
   public:
     Scene();
@@ -50,6 +50,8 @@ class Scene {
 
     /// True once after something changed that is seen.
     bool takeChanged();
+    /// Would takeChanged() be true?
+    bool changed() const;
 
   private:
     struct Private;

@@ -3,6 +3,9 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QResizeEvent>
 #include <cmath>
@@ -43,6 +46,8 @@ struct ViewportWidget::Private {
     Appearance& appearance;
     Scene scene;
     std::unique_ptr<FrameRenderer> renderer;
+    /// Scene, ink and reading as they were last: what moves with the pen is drawn over it.
+    std::unique_ptr<QOpenGLFramebufferObject> still;
     QOpenGLContext* context = nullptr;
     QSurface* surface = nullptr;
     InkLayer ink;
@@ -106,6 +111,7 @@ void ViewportWidget::releaseGL() {
     if (d_->context == nullptr) return;
     disconnect(d_->context, nullptr, this, nullptr);
     makeCurrent();
+    d_->still.reset();
     d_->renderer->finish();
     doneCurrent();
     d_->context = nullptr;
@@ -244,8 +250,20 @@ void ViewportWidget::paintGL() {
     d.scene.setChosen(d.chosen);
     d.scene.setCamera(resizeCamera(d.document.camera(), width(), height()));
     d.renderer->setAntialiased(!d.preview || !d.preview->hurried);
-    d.renderer->render(defaultFramebufferObject());
-    paintOverlays();
+    paintStill();
+    copyStill();
+    QPainter painter(this);
+    d.wet.update(d.wetStroke, d.appearance.colours());
+    d.wet.paintOn(painter);
+    if (d.hover && d.wetStroke == nullptr) {
+        const ThemeColours& colours = d.appearance.colours();
+        const OrthographicCamera view = resizeCamera(d.document.camera(), width(), height());
+        const double r = d.document.thresholds().distancePx *
+                         meanScale(sketchToView(d.reading.sketchCamera(), view));
+        paintRing(painter, toPoint(*d.hover), r, d.hoverErases ? colours.warning : colours.hover,
+                  devicePixelRatioF());
+    }
+    painter.end();
     d.frameMs = static_cast<double>(clock.nsecsElapsed()) / 1e6;
     if (!d.shownOnce) {
         d.shownOnce = true;
@@ -253,43 +271,60 @@ void ViewportWidget::paintGL() {
     }
 }
 
-void ViewportWidget::paintOverlays() {
+void ViewportWidget::paintStill() {
     Private& d = *d_;
+    const double dpr = devicePixelRatioF();
+    const QSize device(qRound(width() * dpr), qRound(height() * dpr));
+    bool stale = d.renderer->stale();
+    if (!d.still || d.still->size() != device) {
+        d.still = std::make_unique<QOpenGLFramebufferObject>(
+            device, QOpenGLFramebufferObject::CombinedDepthStencil);
+        stale = true;
+    }
     const ThemeColours& colours = d.appearance.colours();
     const OrthographicCamera view = resizeCamera(d.document.camera(), width(), height());
     const auto& strokes = d.document.pendingStrokes();
-    const Interpretation& reading = d.reading.reading();
-    d.ink.update(strokes, droppedStrokes(reading, strokes.size()), view, colours);
-    d.wet.update(d.wetStroke, colours);
-    const bool anything = !strokes.empty() || d.wetStroke != nullptr;
-    if (d.overlayStale) {
-        d.overlayStale = false;
-        d.overlay.clear();
-        if (d.readingShown && anything) {
-            QPainter painter(&d.overlay.image());
-            painter.setRenderHint(QPainter::Antialiasing);
-            painter.setFont(font());
-            ReadingOverlay shown{&reading,
-                                 d.reading.sketchCamera(),
-                                 view,
-                                 d.document.thresholds(),
-                                 d.reading.current(),
-                                 d.reading.settled()};
-            paintReading(painter, shown, colours, rect());
-            painter.end();
-            d.overlay.touchContent();
-        }
-    }
-    QPainter painter(this);
+    const auto dropped = droppedStrokes(d.reading.reading(), strokes.size());
+    stale = d.ink.update(strokes, dropped, view, colours) || stale;
+    stale = updateOverlay(view) || stale;
+    if (!stale) return;
+    d.renderer->render(d.still->handle());
+    QOpenGLPaintDevice canvas(device);
+    canvas.setDevicePixelRatio(dpr);
+    QPainter painter(&canvas);
     d.ink.paintOn(painter);
-    d.wet.paintOn(painter);
     d.overlay.paintOn(painter);
-    if (d.hover && d.wetStroke == nullptr) {
-        const double r = d.document.thresholds().distancePx *
-                         meanScale(sketchToView(d.reading.sketchCamera(), view));
-        paintRing(painter, toPoint(*d.hover), r, d.hoverErases ? colours.warning : colours.hover,
-                  devicePixelRatioF());
+}
+
+void ViewportWidget::copyStill() {
+    const QSize size = d_->still->size();
+    QOpenGLExtraFunctions* gl = d_->context->extraFunctions();
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, d_->still->handle());
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    gl->glDisable(GL_SCISSOR_TEST);
+    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+}
+
+bool ViewportWidget::updateOverlay(const OrthographicCamera& view) {
+    Private& d = *d_;
+    const bool anything = !d.document.pendingStrokes().empty() || d.wetStroke != nullptr;
+    if (!d.overlayStale) return false;
+    d.overlayStale = false;
+    d.overlay.clear();
+    if (d.readingShown && anything) {
+        QPainter painter(&d.overlay.image());
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setFont(font());
+        ReadingOverlay shown{
+            &d.reading.reading(),    d.reading.sketchCamera(), view,
+            d.document.thresholds(), d.reading.current(),      d.reading.settled()};
+        paintReading(painter, shown, d.appearance.colours(), rect());
+        painter.end();
+        d.overlay.touchContent();
     }
+    return true;
 }
 
 }  // namespace ew

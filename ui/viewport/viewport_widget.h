@@ -70,7 +70,10 @@ class ViewportWidget : public QOpenGLWidget {
   private:
     void onDocumentChanged(DocumentChange what);
     void claimCamera();
-    void paintOverlays();
+    /// Scene, ink and reading, where one of them looks different now.
+    void paintStill();
+    void copyStill();
+    bool updateOverlay(const OrthographicCamera& view);
     void releaseGL();
     void showShape();
 
