@@ -3,6 +3,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTextLayout>
 
 #include "ui/core_text.h"
 #include "ui/theme/appearance.h"
@@ -24,6 +25,25 @@ QString operationText(Operation operation) {
         default:
             return {};
     }
+}
+
+/// Wraps a text into a rectangle; what has no room is left out with an ellipsis.
+static void drawWholeLines(QPainter& painter, const QRect& area, const QString& text) {
+    const QFontMetrics metrics(painter.font());
+    QTextLayout layout(text, painter.font());
+    layout.beginLayout();
+    int top = area.top();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(area.width());
+        const bool last = top + 2 * metrics.lineSpacing() > area.bottom() + 1;
+        const QString rest = text.mid(line.textStart());
+        painter.drawText(area.left(), top + metrics.ascent(),
+                         last ? metrics.elidedText(rest, Qt::ElideRight, area.width())
+                              : rest.left(line.textLength()));
+        if (last) break;
+        top += metrics.lineSpacing();
+    }
+    layout.endLayout();
 }
 
 CandidateCard::CandidateCard(int index, Appearance& appearance, QWidget* parent)
@@ -97,18 +117,15 @@ void CandidateCard::paintEvent(QPaintEvent*) {
     p.setFont(font());
     p.setPen(clear_ ? c.ok : c.mutedText);
     const QString fit = tr("%1 %").arg(qRound(candidate_.score * 100));
-    const QString reading =
-        candidate_.readingName.empty()
-            ? fit
-            : tr("%1 \u00b7 %2").arg(coreText(candidate_.readingName), fit);
+    const QString reading = candidate_.readingName.empty()
+                                ? fit
+                                : tr("%1 \u00b7 %2").arg(coreText(candidate_.readingName), fit);
     p.drawText(text.left(), text.top() + plain.ascent(),
                plain.elidedText(reading, Qt::ElideRight, text.width()));
     text.setTop(text.top() + plain.height() + 3);
     if (candidate_.notes.empty()) return;
     p.setPen(c.mutedText);
-    p.setClipRect(text);
-    p.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-               coreText(candidate_.notes.front()));
+    drawWholeLines(p, text, coreText(candidate_.notes.front()));
 }
 
 void CandidateCard::mouseDoubleClickEvent(QMouseEvent* event) {
