@@ -283,22 +283,31 @@ class Modification {
     }
 
     /// Cracking (paper 5.2): where the best change meets faces that were not drawn on, the next
-    /// candidate is the one that is adjusted to stay out of one of them.
+    /// candidate is the one that is adjusted to stay out of one of them, or of all.
     void adjust(std::vector<Option>& done) {
         const Option best = done.front();
-        for (const int face : best.cracked) {
-            auto moved =
-                adjustedPlacement(*best.joint, best.reading, best.match, views_.at(best.body),
-                                  {options_.thresholds, noise_}, best.placement, face);
-            if (!moved) continue;
+        const ModelView& view = views_.at(best.body);
+        const PlacementOptions options{options_.thresholds, noise_};
+        const auto better = [&](std::optional<Placement> moved) {
+            if (!moved) return false;
             Option o = best;
             o.placement = std::move(*moved);
             o.cost = best.cost + kAdjustCost;
             o.adjusted = true;
-            if (!make(o, done) || o.cracked.size() >= best.cracked.size()) continue;
+            if (!make(o, done) || o.cracked.size() >= best.cracked.size()) return false;
             done.insert(done.begin() + 1, std::move(o));
-            return;
+            return true;
+        };
+        for (const int face : best.cracked) {
+            if (better(adjustedPlacement(*best.joint, best.reading, best.match, view, options,
+                                         best.placement, face))) {
+                return;
+            }
         }
+        // No hidden face is parallel: one ends before what it would meet.
+        if (best.cracked.empty()) return;
+        (void)better(clearPlacement(*best.joint, best.reading, best.match, view, options,
+                                    best.placement, best.cracked));
     }
 
     /// Is it a body that was made already? Several looks at the strokes often end in the same, or

@@ -10,10 +10,12 @@
 
 #include "core/base/tolerance.h"
 #include "core/modeling/anchor_start.h"
+#include "core/modeling/kept_wall.h"
 #include "core/modeling/placement_directions.h"
 #include "core/modeling/placement_faces.h"
 #include "core/modeling/placement_price.h"
 #include "core/modeling/placement_relations.h"
+#include "core/modeling/placement_tool.h"
 
 namespace ew {
 namespace {
@@ -71,19 +73,14 @@ class Placer {
     /// See adjustedPlacement.
     std::optional<Placement> adjusted(const Placement& placed, int face) const {
         const Vec3 n = model_.plane(face).normal;
-        for (std::size_t t = 0; t < tmpl_.shape.faces.size(); ++t) {
-            const int ti = static_cast<int>(t);
-            const auto& seen = sighting_.visibleFaces;
-            const bool drawn = match_.aspect->kind == AspectKind::Explicit &&
-                               std::find(seen.begin(), seen.end(), ti) != seen.end();
-            if (drawn || coincides(placed.coinciding, ti)) continue;
-            const auto& loop = tmpl_.shape.faces[t];
+        for (const int t : hiddenFaces(placed)) {
+            const auto& loop = tmpl_.shape.faces[at(t)];
             const Vec3 m = (placed.points[at(loop[1])] - placed.points[at(loop[0])])
                                .cross(placed.points[at(loop[2])] - placed.points[at(loop[0])])
                                .normalized();
             if (m.cross(n).norm() > tol::kSolidDirection) continue;
             FacePairs pairs = placed.coinciding;
-            pairs.push_back({ti, face});
+            pairs.push_back({t, face});
             KeptRelations keep;
             keep.overrule = true;
             auto moved = solve(pairs, placed.operation, placed.directions, keep);
@@ -91,13 +88,42 @@ class Placer {
             // Which side of the new plane it comes to lie on does not matter.
             moved->coinciding.pop_back();
             const bool fits = onItsSide(*moved);
-            moved->coinciding.push_back({ti, face});
+            moved->coinciding.push_back({t, face});
             if (fits) return moved;
         }
         return std::nullopt;
     }
 
+    /// See clearPlacement.
+    std::optional<Placement> clearOf(const Placement& placed, const std::vector<int>& met) const {
+        if (!analysis_.convex) return std::nullopt;
+        const auto wall = wallClearOf(tmpl_.shape.faces, placed.points, hiddenFaces(placed), model_,
+                                      met, options_.thresholds.distancePx);
+        Placement moved = placed;
+        if (!wall || !moveWall(*wall, tmpl_.shape.faces, moved.points)) return std::nullopt;
+        const auto& loop = tmpl_.shape.faces[at(wall->face)];
+        std::erase_if(moved.tool.vertices, [&](const ToolVertexRule& r) {
+            return std::find(loop.begin(), loop.end(), r.vertex) != loop.end();
+        });
+        moved.residualPx = residualPx(sighting_, analysis_, moved.points);
+        moved.misfit = misfitOf(sighting_, analysis_, moved.points, options_.noisePx);
+        return finishTool(moved, tmpl_, model_) ? std::optional(std::move(moved)) : std::nullopt;
+    }
+
   private:
+    /// Faces of the template that were neither drawn nor lie in a face of the solid.
+    std::vector<int> hiddenFaces(const Placement& placed) const {
+        std::vector<int> hidden;
+        for (std::size_t t = 0; t < tmpl_.shape.faces.size(); ++t) {
+            const int ti = static_cast<int>(t);
+            const auto& seen = sighting_.visibleFaces;
+            const bool drawn = match_.aspect->kind == AspectKind::Explicit &&
+                               std::find(seen.begin(), seen.end(), ti) != seen.end();
+            if (!drawn && !coincides(placed.coinciding, ti)) hidden.push_back(ti);
+        }
+        return hidden;
+    }
+
     bool coincides(const FacePairs& pairs, int templateFace) const {
         return std::any_of(pairs.begin(), pairs.end(),
                            [&](const auto& p) { return p[0] == templateFace; });
@@ -311,7 +337,8 @@ class Placer {
                    tol::kFreedomCost * solution->parameters +
                    tol::kUnseenPlaneCost * solution->freedoms +
                    tol::kModelEdgeCost * reading_.modelEdges;
-        return finishTool(out) ? std::optional<Placement>(std::move(out)) : std::nullopt;
+        return finishTool(out, tmpl_, model_) ? std::optional<Placement>(std::move(out))
+                                              : std::nullopt;
     }
 
     double most() const { return tol::kClearResidual * options_.thresholds.distancePx; }
@@ -428,29 +455,6 @@ class Placer {
         return tool.intersects(other);
     }
 
-    bool finishTool(Placement& p) const {
-        ToolSpec& tool = p.tool;
-        tool.shape.faces = tmpl_.shape.faces;
-        double volume = 0;
-        for (const Vec3& x : p.points) tool.shape.vertices.push_back(model_.toBody(x));
-        for (const auto& loop : tool.shape.faces) {
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-                const Vec3 o = tool.shape.vertices[at(loop[0])] - tool.shape.vertices[0];
-                volume += o.dot(
-                    (tool.shape.vertices[at(loop[i])] - tool.shape.vertices[0])
-                        .cross(tool.shape.vertices[at(loop[i + 1])] - tool.shape.vertices[0]));
-            }
-        }
-        if (!std::isfinite(volume) || volume == 0.0) return false;
-        if (volume < 0) {
-            for (auto& loop : tool.shape.faces) std::reverse(loop.begin(), loop.end());
-        }
-        for (const auto& pair : p.coinciding) {
-            tool.faces.push_back({pair[0], ToolFaceRule::Kind::InFace, pair[1]});
-        }
-        return true;
-    }
-
     const JointGraph& joint_;
     const JointReading& reading_;
     const GraphMatch& match_;
@@ -482,6 +486,13 @@ std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointR
                                            const PlacementOptions& options,
                                            const Placement& placement, int face) {
     return Placer(joint, reading, match, model, options).adjusted(placement, face);
+}
+
+std::optional<Placement> clearPlacement(const JointGraph& joint, const JointReading& reading,
+                                        const GraphMatch& match, const ModelView& model,
+                                        const PlacementOptions& options, const Placement& placement,
+                                        const std::vector<int>& faces) {
+    return Placer(joint, reading, match, model, options).clearOf(placement, faces);
 }
 
 }  // namespace ew

@@ -63,4 +63,12 @@ std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointR
                                            const PlacementOptions& options,
                                            const Placement& placement, int face);
 
+/// The placement with one of its hidden faces moved parallel to itself so that the body stays clear
+/// of some faces of the solid by a distance threshold; the ink that speaks against it is overruled.
+/// Nothing where no single face can be moved that far.
+std::optional<Placement> clearPlacement(const JointGraph& joint, const JointReading& reading,
+                                        const GraphMatch& match, const ModelView& model,
+                                        const PlacementOptions& options, const Placement& placement,
+                                        const std::vector<int>& faces);
+
 }  // namespace ew

@@ -122,6 +122,28 @@ TEST(Modification, WhereHiddenFacesMeetAnEarlierSlotTheAdjustedCutComesNext) {
     }
 }
 
+// Neither slope of the groove is parallel to a wall of the pocket.
+TEST(Modification, WhereNoHiddenFaceIsParallelTheAdjustedCutStaysClear) {
+    for (const ModificationCase& c : jointModifications(0)) {
+        if (c.name != "pocket into the groove") continue;
+        InterpretOptions o;
+        o.camera = c.camera;
+        o.bodies = {c.target};
+        const Interpretation r = interpret(exactStrokes(linesOnPlane(c)), shippedLibrary(), o);
+        expectRight(c, r);
+        ASSERT_GE(r.candidates.size(), 2u);
+        const Candidate& adjusted = r.candidates[1];
+        EXPECT_EQ(adjusted.readingId, "adjusted");
+        // 50 x 44 x 20 less what would come nearer to the groove than a distance threshold: its
+        // ridge lies 7 mm behind the pocket's hidden wall.
+        const double clear = 7.0 + o.thresholds.distancePx * c.camera.worldPerPixel;
+        EXPECT_NEAR(adjusted.result->volume(),
+                    c.target.solid.volume() - 50.0 * (44.0 - clear) * 20.0, 1e-6);
+        // Pocket and groove stay apart: 5 faces more.
+        EXPECT_EQ(adjusted.result->faces().size(), c.target.solid.faces().size() + 5);
+    }
+}
+
 TEST(Modification, OrderAndDirectionOfTheStrokesDoNotMatter) {
     Random random(5);
     for (const ModificationCase& c : boxModifications()) {
