@@ -19,6 +19,15 @@ struct Box {
     double cost = 0.0;
 
     bool adds() const { return side[2][1] > 0; }
+    /// Does it fill the way from one wall to another that looks at it?
+    bool betweenWalls() const {
+        for (std::size_t a = 0; a < 2; ++a) {
+            if (adds() && on[a][0] >= 0 && on[a][1] >= 0 && !facesOn[a][0] && !facesOn[a][1]) {
+                return true;
+            }
+        }
+        return false;
+    }
     /// The template's plane: the far side of a cut lies below the face, which turns their order.
     std::size_t plane(std::size_t axis, std::size_t k) const {
         return side[axis][k] > side[axis][1 - k] ? 1 : 0;

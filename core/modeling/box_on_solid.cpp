@@ -11,28 +11,19 @@
 
 #include "core/base/tolerance.h"
 #include "core/modeling/box_edges.h"
+#include "core/modeling/box_places.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A place where a side of the box may be.
-struct Place {
-    double value = 0.0;
-    double weight = 0.0;  ///< length of the lines that say so [px]
-    int on = -1;          ///< face of the solid that lies there
-    bool ahead = false;   ///< ... whose outside is that way along the axis
-};
-
 class Layer {
   public:
     Layer(const BoxFrame& frame, const ModelView& model, const BoxLayingOptions& options)
         : frame_(frame), options_(options), distance_(options.thresholds.distancePx) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            for (const double border : frame.border[axis]) {
-                borders_[axis].push_back(borderAt(model, axis, border));
-            }
+            borders_[axis] = bordersAndWalls(frame, model, axis, distance_);
         }
     }
 
@@ -95,7 +86,7 @@ class Layer {
         if (boxes.size() > n) boxes.resize(n);
     }
 
-    static void set(Box& box, std::size_t axis, std::size_t k, const Place& p) {
+    static void set(Box& box, std::size_t axis, std::size_t k, const BoxPlace& p) {
         box.side[axis][k] = p.value;
         box.on[axis][k] = p.on;
         box.facesOn[axis][k] = p.on >= 0 && p.ahead == (k == 1);
@@ -103,21 +94,21 @@ class Layer {
 
     /// Where sides across an axis of the face may be, and where they are in pairs: at its borders,
     /// and where lines along the other axis lie, in the face or at this depth.
-    std::vector<std::array<Place, 2>> pairsAlong(std::size_t axis, double depth) const {
+    std::vector<std::array<BoxPlace, 2>> pairsAlong(std::size_t axis, double depth) const {
         const std::size_t other = 1 - axis;
         const double scale = frame_.across(other, axis);
-        std::vector<Place> lines;
+        std::vector<BoxPlace> lines;
         for (const BoxLine& l : frame_.lines) {
             if (l.axis != static_cast<int>(other)) continue;
             for (const double at : {0.0, depth}) {
                 lines.push_back({(l.offset - at * frame_.across(other, 2)) / scale, l.length});
             }
         }
-        std::vector<Place> places = united(lines, std::abs(scale), kMostPlaces);
+        std::vector<BoxPlace> places = united(lines, std::abs(scale), kMostPlaces);
         places.insert(places.end(), borders_[axis].begin(), borders_[axis].end());
-        std::vector<std::array<Place, 2>> pairs;
-        for (const Place& a : places) {
-            for (const Place& b : places) {
+        std::vector<std::array<BoxPlace, 2>> pairs;
+        for (const BoxPlace& a : places) {
+            for (const BoxPlace& b : places) {
                 if ((b.value - a.value) * frame_.seen[axis] >= 0.5 * distance_) {
                     pairs.push_back({a, b});
                 }
@@ -126,14 +117,15 @@ class Layer {
         return pairs;
     }
 
-    /// Places that differ by less than the hand's noise are one; those with the most ink.
-    std::vector<Place> united(std::vector<Place> places, double pxPerUnit, std::size_t most) const {
+    /// BoxPlaces that differ by less than the hand's noise are one; those with the most ink.
+    std::vector<BoxPlace> united(std::vector<BoxPlace> places, double pxPerUnit,
+                                 std::size_t most) const {
         std::sort(places.begin(), places.end(),
-                  [](const Place& a, const Place& b) { return a.value < b.value; });
-        std::vector<Place> out;
-        for (const Place& p : places) {
+                  [](const BoxPlace& a, const BoxPlace& b) { return a.value < b.value; });
+        std::vector<BoxPlace> out;
+        for (const BoxPlace& p : places) {
             if (!out.empty() && (p.value - out.back().value) * pxPerUnit < options_.noisePx) {
-                Place& o = out.back();
+                BoxPlace& o = out.back();
                 o.value = (o.value * o.weight + p.value * p.weight) / (o.weight + p.weight);
                 o.weight += p.weight;
             } else {
@@ -141,34 +133,15 @@ class Layer {
             }
         }
         std::stable_sort(out.begin(), out.end(),
-                         [](const Place& a, const Place& b) { return a.weight > b.weight; });
+                         [](const BoxPlace& a, const BoxPlace& b) { return a.weight > b.weight; });
         if (out.size() > most) out.resize(most);
         return out;
-    }
-
-    /// A border of the face, with the face of the solid that stands upright there, if one does.
-    Place borderAt(const ModelView& model, std::size_t axis, double value) const {
-        Place place{value, 0.0};
-        const double reach = 1e-6 * frame_.sizePx;
-        for (std::size_t f = 0; f < model.solid().faces().size(); ++f) {
-            const CameraPlane& plane = model.plane(static_cast<int>(f));
-            const double turn = plane.normal.dot(frame_.axis[axis]);
-            if (std::abs(turn) < 1 - tol::kSolidDirection) continue;
-            const double here = (plane.offset - plane.normal.dot(frame_.origin)) / turn;
-            if (std::abs(here - value) > reach) continue;
-            place.on = static_cast<int>(f);
-            place.ahead = turn > 0;
-            // The face's neighbour over a convex edge counts before what only lies in its plane.
-            if (place.ahead == (value > 0.5 * (frame_.border[axis][0] + frame_.border[axis][1])))
-                return place;
-        }
-        return place;
     }
 
     /// Distances of the far side from the face, outwards positive, that some line speaks for: by
     /// its length along the normal, or by lying that far from another or from the face's border.
     std::vector<double> depths() const {
-        std::vector<Place> found;
+        std::vector<BoxPlace> found;
         const double least = 0.5 * distance_ / frame_.seen[2];
         const auto add = [&](double depth, double weight) {
             if (std::abs(depth) >= least) found.push_back({depth, weight});
@@ -190,7 +163,8 @@ class Layer {
             }
         }
         std::vector<double> depths;
-        for (const Place& p : united(found, frame_.seen[2], kMostDepths)) depths.push_back(p.value);
+        for (const BoxPlace& p : united(found, frame_.seen[2], kMostDepths))
+            depths.push_back(p.value);
         return depths;
     }
 
@@ -214,7 +188,7 @@ class Layer {
 
     /// No box with these two sides across an axis and this depth costs less: its lines along the
     /// other axis of the face are at least as far from all edges as this.
-    double leastCost(std::size_t axis, const std::array<Place, 2>& pair, double depth) const {
+    double leastCost(std::size_t axis, const std::array<BoxPlace, 2>& pair, double depth) const {
         const std::size_t other = 1 - axis;
         const double scale = frame_.across(other, axis);
         const double deep = depth * frame_.across(other, 2);
@@ -223,7 +197,7 @@ class Layer {
         for (const BoxLine& l : frame_.lines) {
             if (l.axis != static_cast<int>(other)) continue;
             double least = std::min(kStray, l.modelOff * l.modelOff / variance);
-            for (const Place& p : pair) {
+            for (const BoxPlace& p : pair) {
                 for (const double z : {0.0, deep}) {
                     const double off = l.offset - p.value * scale - z;
                     least = std::min(least, off * off / variance);
@@ -314,7 +288,7 @@ class Layer {
     const BoxFrame& frame_;
     const BoxLayingOptions& options_;
     double distance_;
-    std::array<std::vector<Place>, 2> borders_;  ///< by axis
+    std::array<std::vector<BoxPlace>, 2> borders_;  ///< by axis
 };
 
 /// The template's vertex, by the side of each axis.
@@ -375,6 +349,7 @@ std::optional<LaidBox> Layer::lay(const Box& box,
     takeLines(edges, out.strayPx);
     const RectilinearStructure& r = *entry->analysis.rectilinear;
     out.operation = box.adds() ? Operation::Add : Operation::Cut;
+    out.betweenWalls = box.betweenWalls();
     JointGraph joint;
     std::map<int, int> junctionOf;
     const auto junction = [&](int vertex, const Vec2& p) {

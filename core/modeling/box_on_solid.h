@@ -20,7 +20,8 @@ struct LaidBox {
     GraphMatch match;
     FacePairs pairs;  ///< faces of the box that lie in faces of the solid
     Operation operation = Operation::Cut;
-    double price = 0.0;    ///< of edges that would be seen and are bare; see RatedCandidate
+    bool betweenWalls = false;  ///< it fills the way from one wall of the solid to another
+    double price = 0.0;         ///< of edges that would be seen and are bare; see RatedCandidate
     double strayPx = 0.0;  ///< length of the lines that no edge explains that would be seen [px]
 };
 

@@ -105,8 +105,11 @@ class Modification {
             place(matches, view, body, true);
             if (understood(tol::kPlainMisfit)) return;
         }
-        // Ends of an unsteady hand join wrongly, while the whole of its lines still tells.
-        if (spread_ >= kUnsteadySpread * distance_) placeLaidBoxes(view, body);
+        // Ends of an unsteady hand join wrongly, and of what stands between parts of the solid some
+        // sides are out of sight that no aspect is without, while the whole of the lines still
+        // tells.
+        const bool unsteady = spread_ >= kUnsteadySpread * distance_;
+        if (unsteady || found_.empty()) placeLaidBoxes(view, body, unsteady);
         if (understood(tol::kUnderstoodMisfit)) return;
         placeFreely(looks, view, body);
     }
@@ -218,11 +221,13 @@ class Modification {
         found_.push_back(std::move(o));
     }
 
-    void placeLaidBoxes(const ModelView& view, int body) {
+    /// \param all  not only those that stand between two walls.
+    void placeLaidBoxes(const ModelView& view, int body, bool all) {
         for (const auto& entry : index_.entries) {
             if (!isBox(*entry)) continue;
             if (!options_.templateId.empty() && entry->tmpl.id != options_.templateId) continue;
             for (LaidBox& laid : layBoxes(ink_, view, entry, {options_.thresholds, noise_})) {
+                if (!all && !laid.betweenWalls) continue;
                 if (options_.operation != Operation::Auto && options_.operation != laid.operation) {
                     continue;
                 }

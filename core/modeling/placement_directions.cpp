@@ -85,6 +85,7 @@ class Chooser {
         // The slope of a pyramid's side says nothing of how deep its apex lies: it may look like
         // any direction.
         if (c.length > 0 && c.related) out = near(c);
+        if (c.length == 0 && !c.inFaces.empty()) out = within(c.inFaces);
         std::stable_sort(out.begin(), out.end(),
                          [](const Choice& a, const Choice& b) { return a.price < b.price; });
         if (out.size() > kMostChoices) out.resize(kMostChoices);
@@ -105,10 +106,7 @@ class Chooser {
         std::vector<Choice> out;
         for (const ModelDirection& d : known_) {
             if (d.direction.head<2>().norm() < tol::kEndOnSine) continue;
-            const bool lies = std::all_of(c.inFaces.begin(), c.inFaces.end(), [&](int f) {
-                return std::abs(model_.plane(f).normal.dot(d.direction)) < tol::kSolidDirection;
-            });
-            if (!lies) continue;
+            if (!liesIn(d, c.inFaces)) continue;
             const double angle = std::atan2(d.direction.y(), d.direction.x());
             const double off = std::abs(std::remainder(angle - drawn, std::numbers::pi)) * kRadian;
             if (off > options_.angleDeg + excuse) continue;
@@ -117,6 +115,20 @@ class Chooser {
             out.push_back({d, false, off / (kSteadiestDeg + 0.5 * excuse) + cost, cost});
         }
         return out;
+    }
+    /// What was not drawn but lies in faces of the solid, as where a body ends at a wall: a
+    /// direction that lies in all of them.
+    std::vector<Choice> within(const std::vector<int>& faces) const {
+        std::vector<Choice> out;
+        for (const ModelDirection& d : known_) {
+            if (liesIn(d, faces)) out.push_back({d, false, 0.0, 0.0});
+        }
+        return out;
+    }
+    bool liesIn(const ModelDirection& d, const std::vector<int>& faces) const {
+        return std::all_of(faces.begin(), faces.end(), [&](int f) {
+            return std::abs(model_.plane(f).normal.dot(d.direction)) < tol::kSolidDirection;
+        });
     }
     /// A wall is usually meant to stand upright on its face.
     bool upright(const ModelDirection& d) const {

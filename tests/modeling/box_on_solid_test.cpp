@@ -131,5 +131,31 @@ TEST(BoxOnSolid, RoughPocketsAndBoxesAreRead) {
     }
 }
 
+// Three lines lead from wall to wall; the sides that stand at these are out of sight.
+TEST(BoxOnSolid, BetweenTwoWallsTheLinesThatAreSeenDo) {
+    constexpr std::uint64_t kDrawings = 8;
+    std::uint64_t right = 0;
+    std::uint64_t all = 0;
+    for (const int view : {2, 6, 9}) {
+        for (const ModificationCase& c : jointModifications(view)) {
+            if (c.name != "bridge between the bosses" || !c.legible()) continue;
+            InterpretOptions o;
+            o.camera = c.camera;
+            o.bodies = {c.target};
+            for (std::uint64_t i = 0; i < kDrawings; ++i, ++all) {
+                Random hand(Random::mix(5, i));
+                const Interpretation r =
+                    interpret(drawByHand(linesOnPlane(c), kLightHand, hand), shippedLibrary(), o);
+                if (!r.accepted) continue;
+                const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+                right += k.result && k.operation == c.operation &&
+                         static_cast<int>(k.result->faces().size()) == c.faces;
+            }
+        }
+    }
+    EXPECT_EQ(all, 3 * kDrawings);
+    EXPECT_GE(right, all - 1);
+}
+
 }  // namespace
 }  // namespace ew::test
