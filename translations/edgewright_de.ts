@@ -232,6 +232,10 @@
         <translation>Der Körper zerfällt in %1 Teile.</translation>
     </message>
     <message>
+        <source>It closes off a hollow inside the solid.</source>
+        <translation>Im Inneren des Körpers wird ein Hohlraum eingeschlossen.</translation>
+    </message>
+    <message>
         <source>Join these ends</source>
         <translation>Diese Enden verbinden</translation>
     </message>

@@ -108,6 +108,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "The drawing leaves %1 measures open; the most regular shape was taken."),
     QT_TRANSLATE_NOOP("Core", "The solid falls into %1 separate pieces."),
+    QT_TRANSLATE_NOOP("Core", "It closes off a hollow inside the solid."),
     QT_TRANSLATE_NOOP("Core", "There is no solid yet."),
     QT_TRANSLATE_NOOP("Core", "No edge is chosen."),
     QT_TRANSLATE_NOOP("Core", "An edge that was chosen does not exist."),

@@ -13,10 +13,18 @@ namespace {
 
 constexpr double kStepMs = 1000.0 / 30.0;
 constexpr double kFasterShare = 0.2;  // a level more makes four times the triangles
-constexpr int kMostCoarser = 3;
+constexpr int kMostLooser = 3;        // times four of the tolerance
 constexpr int kRestMs = 150;
 
+/// How many times a drag can be shown coarser; without a surface it is only drawn with rough edges.
+int mostCoarser(const SubdivisionSettings& settings) {
+    if (!settings.on) return 1;
+    return settings.tolerance > 0.0 ? kMostLooser : settings.levels;
+}
+
+/// A surface with less triangles; in the end the filleted cage alone.
 SubdivisionSettings coarsened(SubdivisionSettings settings, int by) {
+    settings.on = settings.on && by < mostCoarser(settings);
     settings.levels = std::max(1, settings.levels - by);
     settings.tolerance *= std::pow(4.0, by);
     return settings;
@@ -129,7 +137,8 @@ void SurfaceController::onFrameShown() {
     const Derived shown = *std::exchange(unseen_, std::nullopt);
     if (!shown.coarser) return;
     const double step = shown.ms + static_cast<double>(sinceShown_.nsecsElapsed()) * 1e-6;
-    if (step > stepBudgetMs_ && coarser_ < kMostCoarser) {
+    const int most = mostCoarser(document_.state().surface.subdivision);
+    if (step > stepBudgetMs_ && coarser_ < most) {
         ++coarser_;
     } else if (step < kFasterShare * stepBudgetMs_ && coarser_ > 0) {
         --coarser_;

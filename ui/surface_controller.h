@@ -20,7 +20,8 @@ class ViewportWidget;
 /// on; letting go makes it one step of the history. The window never waits for a shape: of several
 /// wishes only the newest is carried out, and a result that is no longer wanted is dropped.
 /// Where a machine cannot derive and draw the surface as often as a drag wants it, a coarser one is
-/// shown while the radius moves, and the whole one as soon as it rests.
+/// shown while the radius moves, at last the filleted cage alone, and the whole one as soon as it
+/// rests.
 class SurfaceController : public QObject {
     Q_OBJECT
 

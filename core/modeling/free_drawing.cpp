@@ -12,6 +12,7 @@
 #include "core/edge_graph/edit.h"
 #include "core/edge_graph/repair.h"
 #include "core/modeling/accidental.h"
+#include "core/modeling/box_on_solid.h"
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
 #include "core/modeling/ink_on_solid.h"
@@ -54,8 +55,6 @@ const std::vector<ReadingOptions>& readingOptions() {
     return kOptions;
 }
 
-/// Ends of an unsteady hand lie so far apart where they should meet [distance thresholds].
-constexpr double kUnsteadySpread = 0.2;
 /// Where the search for repairs starts from.
 struct DraftOptions {
     ReadingOptions reading;
@@ -128,7 +127,7 @@ class Pipeline {
             tryRepairs(chosen);
             tryImperfect(chosen);
         }
-        if (wasClear && !isBox(chosen.candidates.front())) tryOutlines(chosen);
+        if (wasClear && !isBox(*chosen.candidates.front().entry)) tryOutlines(chosen);
         addRival(chosen);
         return conclude(chosen);
     }
@@ -219,17 +218,13 @@ class Pipeline {
         context_.worthCost = worthCost_ - r.price;
         for (RatedCandidate& c : readingsOf(r.graph, match, context_, r.impossibleCorner)) {
             c.candidate.extraEdges = r.extraEdges;
-            if (!isBox(c)) c.cost += tol::kBoxesAreUsual;
+            if (!isBox(*c.entry)) c.cost += tol::kBoxesAreUsual;
             c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
             if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
             if (c.withinThresholds)
                 worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
             r.candidates.push_back(std::move(c));
         }
-    }
-
-    static bool isBox(const RatedCandidate& c) {
-        return c.entry->analysis.convex && c.entry->analysis.rectilinear.has_value();
     }
 
     /// Does the best candidate of a reading by outline leave little enough ink aside, and bare of

@@ -18,6 +18,8 @@ double handNoisePx(const InkReading& ink);
 /// Standard deviation per axis of where strokes end that aim at one place, by the ends of different
 /// strokes that lie together [px]; 0 where none do.
 double endSpread(const std::vector<Segment>& segments, double distancePx);
+/// Ends of an unsteady hand are at least so far apart where they should meet [distance thresholds].
+inline constexpr double kUnsteadySpread = 0.2;
 
 /// Length of the ink that runs neither along an edge of the placed template nor along a visible one
 /// of the model [px]. Edges of what is added count only where the solid does not hide them.

@@ -22,6 +22,7 @@ struct Chain {
     std::vector<LinePiece> pieces;
     double redrawn = 0.0;
     bool alive = true;
+    bool goesOn = false;  ///< a model edge that ink goes on from, straight
 };
 
 class Closing {
@@ -93,6 +94,7 @@ class Closing {
             e.ends = plane.edges[k++];
             r.graph.edges.push_back(std::move(e));
             r.edgeModel.push_back(c.modelEdge);
+            r.goesOn = r.goesOn || c.goesOn;
         }
         r.junctionNode = nodes_;
         r.strayPx = stray_;
@@ -207,7 +209,8 @@ class Closing {
             Chain& a = chains_[at(around[n][0])];
             Chain& b = chains_[at(around[n][1])];
             const int ni = static_cast<int>(n);
-            if (a.modelEdge != b.modelEdge) continue;
+            const bool onward = a.modelEdge != b.modelEdge;
+            if (onward && !mayGoOn(a, b)) continue;
             if (a.nodes[1] != ni) reverse(a);
             if (b.nodes[0] != ni) reverse(b);
             if (a.nodes[0] == b.nodes[1]) continue;
@@ -219,13 +222,26 @@ class Closing {
             const double bend = chord.norm() < 1e-9 ? 0.0 : std::abs(cross2(chord.normalized(), u));
             const JointNode& node = joint_.nodes[n];
             const bool onModel = node.modelEdge >= 0 || node.modelVertex >= 0;
-            if (a.modelEdge < 0 && !straight(turn, bend, onModel)) continue;
+            if ((a.modelEdge < 0 || onward) && !straight(turn, bend, onModel)) continue;
+            // What ends at a wall may be in line with the wall's own edge.
+            folded_ = folded_ || onward;
+            if (onward && bends_ == Bends::Fold) continue;
+            a.goesOn = onward;
+            // An edge of which the model has a part lies where that part does.
+            a.modelEdge = std::max(a.modelEdge, b.modelEdge);
             a.nodes[1] = b.nodes[1];
             a.pieces.insert(a.pieces.end(), b.pieces.begin(), b.pieces.end());
             b.alive = false;
             return true;
         }
         return false;
+    }
+
+    /// May two chains be one edge of which the model has a part already, as where a body stands on
+    /// two others and its edge goes on from one to the other? Two model edges only with ink
+    /// between.
+    static bool mayGoOn(const Chain& a, const Chain& b) {
+        return a.modelEdge < 0 || b.modelEdge < 0 || a.goesOn || b.goesOn;
     }
 
     /// May ink that turns by so many degrees, so many px off its chord, be one line?

@@ -56,6 +56,7 @@ struct JointReading {
     std::vector<int> edgeModel;     ///< per edge: edge of the solid, -1 for ink
     double strayPx = 0.0;           ///< length of ink left out
     int modelEdges = 0;             ///< extracted edges used
+    bool goesOn = false;            ///< an edge is one of the model that ink continues
 };
 
 /// Ways to close the strokes with extracted edges to a connected graph whose shape is known, those

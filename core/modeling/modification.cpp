@@ -186,8 +186,9 @@ class Modification {
         for (const JointReading& r : closedReadings(*joint, known, distance_, kMostReadings)) {
             for (GraphMatch& found : matchGraph(r.graph, index_, m)) {
                 const bool adds = found.aspect->kind == AspectKind::Explicit;
-                if (options_.operation == Operation::Add && !adds) continue;
-                if (options_.operation == Operation::Cut && adds) continue;
+                const Operation asked = options_.operation;
+                // Where an edge of the solid goes on in the air nothing is cut.
+                if (adds ? asked == Operation::Cut : asked == Operation::Add || r.goesOn) continue;
                 matches.push_back({joint, r, std::move(found), price});
             }
         }
@@ -276,7 +277,10 @@ class Modification {
             return false;
         }
         // A body that is added stands on the solid; one beside it is another body.
-        if (adds && outcome->report.shells > outcome->report.shellsBefore) return false;
+        if (adds && outcome->report.shells > outcome->report.shellsBefore &&
+            outcome->solid.area() > (1.0 - kTouching) * (target.area() + tool->area())) {
+            return false;
+        }
         const bool known = std::any_of(done.begin(), done.end(), [&](const Option& d) {
             return d.body == o.body && sameResult(o, *d.result, outcome->solid);
         });
@@ -428,8 +432,7 @@ class Modification {
     }
 
     std::vector<Vec2> place() const {
-        for (const Segment& s : ink_.segments) return {s.a};
-        return {};
+        return ink_.segments.empty() ? std::vector<Vec2>{} : std::vector<Vec2>{ink_.segments[0].a};
     }
 
     Candidate candidate(std::size_t i) const {
@@ -455,16 +458,17 @@ class Modification {
         const double off = c.residualPx / distance_;
         c.score = std::exp(-2.0 * off * off) *
                   (i == 0 ? 1.0 : std::exp(-std::max(0.0, o.cost - found_.front().cost) / 30.0));
-        if (o.shells > 0) {
+        if (o.shells > 0 && c.operation == Operation::Add) {
+            c.notes.push_back("It closes off a hollow inside the solid.");
+        } else if (o.shells > 0) {
             c.notes.push_back("The solid falls into " + std::to_string(o.shells + 1) +
                               " separate pieces.");
         }
         return c;
     }
 
-    /// Ends of an unsteady hand lie so far apart where they should meet [distance thresholds].
-    static constexpr double kUnsteadySpread = 0.2;
     static constexpr double kFarDearer = 40.0;
+    static constexpr double kTouching = 1e-9;    ///< share of the area that is enough to touch in
     static constexpr double kAdjustCost = 16.0;  // never a rival
     static constexpr double kSteadyPx = 2.5;
     static constexpr int kFewParameters = 5;

@@ -333,6 +333,10 @@ StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, dou
     std::vector<std::size_t> cuts = optimalPartition(nodes, wobblePx);
     CutCleaner(nodes, cuts, distancePx, wobblePx).run();
     refineCuts(nodes, cuts);
+    // Two cuts may have moved to one corner.
+    const std::size_t before = cuts.size();
+    CutCleaner(nodes, cuts, distancePx, wobblePx).run();
+    if (cuts.size() < before) refineCuts(nodes, cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
         reading.segments.push_back(makeSegment(nodes, cuts[c], cuts[c + 1], index, spacing));
         reading.segments.back().joinedToNext = c + 2 < cuts.size();

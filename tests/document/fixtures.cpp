@@ -79,6 +79,12 @@ TemplateLibrary smallLibrary() {
     return library ? *library : TemplateLibrary();
 }
 
+const TemplateLibrary& shippedLibrary() {
+    static const TemplateLibrary kLibrary =
+        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
+    return kLibrary;
+}
+
 std::unique_ptr<Document> fakeDocument() {
     return std::make_unique<Document>(smallLibrary(), &fakeInterpreter);
 }

@@ -27,6 +27,9 @@ Interpretation fakeInterpreter(const std::vector<Stroke>& strokes, const Templat
 /// A library with one template, "box".
 TemplateLibrary smallLibrary();
 
+/// The templates that the program brings, loaded once.
+const TemplateLibrary& shippedLibrary();
+
 /// An empty document that reads strokes with fakeInterpreter.
 std::unique_ptr<Document> fakeDocument();
 

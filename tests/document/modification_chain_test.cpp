@@ -20,12 +20,6 @@
 namespace ew::test {
 namespace {
 
-const TemplateLibrary& library() {
-    static const TemplateLibrary shipped =
-        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
-    return shipped;
-}
-
 constexpr double kGridMm = 0.5;
 
 double onGrid(double x) { return kGridMm * std::round(x / kGridMm); }
@@ -91,7 +85,7 @@ class Chain {
   public:
     /// \param understood  every drawing is read as it is meant: what it takes to read it is spared.
     Chain(std::uint64_t seed, bool understood)
-        : random_(seed), understood_(understood), document_(library(), reader()) {
+        : random_(seed), understood_(understood), document_(shippedLibrary(), reader()) {
         OrthographicCamera camera = modificationCamera(0, Vec3(75, 60, 45));
         EXPECT_TRUE(document_.setCamera(camera));
         const auto p = [&](int x, int y, int z) {
@@ -230,7 +224,7 @@ TEST(ModificationChain, TwoHundredChangesAreTakenBackAndRedoneToTheBit) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("chain.edgewright");
     ASSERT_TRUE(chain.document().save(path));
-    Document again(library());
+    Document again(shippedLibrary());
     ASSERT_TRUE(again.open(path));
     EXPECT_TRUE(sameState(again.state(), chain.document().state()));
     EXPECT_EQ(again.undoStack().count(), 201);

@@ -9,16 +9,11 @@
 
 #include "core/document/document.h"
 #include "core/document/replay.h"
+#include "tests/document/fixtures.h"
 #include "tests/support/modification_cases.h"
 
 namespace ew::test {
 namespace {
-
-const TemplateLibrary& library() {
-    static const TemplateLibrary shipped =
-        loadLibrary(EDGEWRIGHT_SOURCE_DIR "/resources/templates")->library;
-    return shipped;
-}
 
 /// The edges of the cases' box that the default camera sees.
 std::vector<Line2> boxOutline(const OrthographicCamera& camera) {
@@ -41,7 +36,7 @@ const ModificationCase& caseNamed(const std::string& name) {
 
 /// A document with the box, drawn.
 std::unique_ptr<Document> withBox() {
-    auto d = std::make_unique<Document>(library());
+    auto d = std::make_unique<Document>(shippedLibrary());
     EXPECT_TRUE(d->setCamera(defaultBoxCamera()));
     draw(*d, boxOutline(d->camera()));
     EXPECT_TRUE(d->apply());
@@ -153,7 +148,7 @@ TEST(DocumentModification, TheRecordedScriptReplaysToTheSameSolid) {
         draw(*d, linesOnPlane(caseNamed(name)));
         ASSERT_TRUE(d->apply()) << name;
     }
-    Document again(library());
+    Document again(shippedLibrary());
     const QTemporaryDir folder;
     const ReplayReport report =
         replay(again, d->recordedScript(), {folder.path(), folder.path(), false});

@@ -150,28 +150,30 @@ bool ModificationCase::legible() const {
 
 OrthographicCamera modificationCamera(int view, const Vec3& center, const Pose& pose) {
     // Azimuth of the eye from the x axis towards -y, and tilt [degrees].
-    static constexpr std::array<std::array<double, 2>, kModificationViews> kViews{{{44.06, 31.07},
-                                                                                   {32, 30},
-                                                                                   {57, 33},
-                                                                                   {45, 43},
-                                                                                   {38, 24},
-                                                                                   {25, 35},
-                                                                                   {65, 28},
-                                                                                   {36, 38},
-                                                                                   {52, 48},
-                                                                                   {28, 45},
-                                                                                   {62, 42},
-                                                                                   {48, 22},
-                                                                                   {40, 52},
-                                                                                   {20, 25}}};
-    const double azimuth = kViews[static_cast<std::size_t>(view)][0] * std::numbers::pi / 180.0;
-    const double tilt = kViews[static_cast<std::size_t>(view)][1] * std::numbers::pi / 180.0;
+    static constexpr std::array<std::array<double, 2>, kModificationDirections> kViews{
+        {{44.06, 31.07},
+         {32, 30},
+         {57, 33},
+         {45, 43},
+         {38, 24},
+         {25, 35},
+         {65, 28},
+         {36, 38},
+         {52, 48},
+         {28, 45},
+         {62, 42},
+         {48, 22},
+         {40, 52},
+         {20, 25}}};
+    const auto& seenFrom = kViews[static_cast<std::size_t>(view % kModificationDirections)];
+    const double azimuth = seenFrom[0] * std::numbers::pi / 180.0;
+    const double tilt = seenFrom[1] * std::numbers::pi / 180.0;
     OrthographicCamera camera;
     camera.direction = pose.directionToWorld(Vec3(
         -std::cos(azimuth) * std::cos(tilt), std::sin(azimuth) * std::cos(tilt), -std::sin(tilt)));
     camera.up = pose.directionToWorld(Vec3::UnitZ());
     camera.center = pose.toWorld(center);
-    camera.worldPerPixel = 0.25;
+    camera.worldPerPixel = view < kModificationDirections ? 0.25 : 0.16;
     return camera;
 }
 
@@ -191,7 +193,13 @@ std::vector<ModificationCase> workedBoxModifications(int view) {
     CaseList cases("worked box", workedBox(), Vec3(40, 30, 20), view);
     addCuts(cases);
     addAdds(cases);
-    return cases.take();
+    auto all = cases.take();
+    for (ModificationCase& c : all) {
+        // Its floor is flush with a pocket out of sight, behind which a line ends for no reason that
+        // the person who draws could know.
+        if (c.name == "rabbet with its inside") c.told = false;
+    }
+    return all;
 }
 
 std::vector<Line2> linesOnPlane(const ModificationCase& c) {

@@ -32,8 +32,10 @@ struct ModificationCase {
 };
 
 /// Cameras that see the front, the right and the upper side of a solid that is about 80 mm wide,
-/// the whole of it about 400 px wide; the first is the default one.
-inline constexpr int kModificationViews = 14;
+/// the whole of it about 400 px wide; the first is the default one. The second half sees the same
+/// from nearer, as a person would to draw something small.
+inline constexpr int kModificationDirections = 14;
+inline constexpr int kModificationViews = 2 * kModificationDirections;
 OrthographicCamera modificationCamera(int view, const Vec3& center, const Pose& pose = {});
 
 /// The cases on a box of 80 x 60 x 40 mm (corner in the origin) in some pose. Their lines are those
