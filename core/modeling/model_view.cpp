@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/modeling/model_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,10 @@ ModelView::ModelView(const Body& body, const OrthographicCamera& camera, SolidVi
         for (const int f : body_.solid.edges()[e].faces) {
             faceEdges_[at(f)].push_back(static_cast<int>(e));
         }
+    }
+    outlined_.resize(body_.solid.faces().size(), false);
+    for (const VisiblePiece& piece : pieces_) {
+        for (const int f : body_.solid.edges()[at(piece.edge)].faces) outlined_[at(f)] = true;
     }
     planes_.reserve(body_.solid.faces().size());
     for (const SolidFace& f : body_.solid.faces()) {
@@ -70,6 +75,14 @@ std::vector<std::size_t> ModelView::piecesNear(const Eigen::AlignedBox2d& part) 
         if (piece.intersects(part)) near.push_back(i);
     }
     return near;
+}
+
+bool ModelView::known(int face) const {
+    if (outlined_[at(face)]) return true;
+    const SolidFace& f = body_.solid.faces()[at(face)];
+    const auto& vertices = body_.solid.vertices();
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](const Vec3& v) { return f.normal.dot(v) <= f.offset + tolerance_; });
 }
 
 bool ModelView::edgeInFace(int edge, int face) const {

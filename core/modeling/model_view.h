@@ -51,6 +51,8 @@ class ModelView {
     /// Does an edge lie in the plane of a face?
     bool edgeInFace(int edge, int face) const;
     bool vertexInFace(int vertex, int face) const;
+    /// Is one of its edges to be seen, or is nothing of the solid beyond it? Others nobody can mean.
+    bool known(int face) const;
     /// Visible pieces that may reach into a part of the picture, in their order: indices of
     /// pieces().
     std::vector<std::size_t> piecesNear(const Eigen::AlignedBox2d& part) const;
@@ -67,6 +69,7 @@ class ModelView {
     std::vector<VisiblePiece> pieces_;
     std::vector<CameraPlane> planes_;
     std::vector<std::vector<int>> faceEdges_;
+    std::vector<bool> outlined_;  ///< by face: some edge of it is seen
     std::shared_ptr<DirectionMemo> directions_ = std::make_shared<DirectionMemo>();
     Mat3 toCamera_ = Mat3::Identity();
     double tolerance_ = 0.0;  ///< [mm]

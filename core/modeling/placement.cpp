@@ -410,7 +410,8 @@ class Placer {
         return solve(pairs, placed.operation, directions, keep);
     }
 
-    /// Faces that come within the distance threshold of a parallel face of the solid lie in it.
+    /// Faces that come within the distance threshold of a parallel face of the solid lie in it,
+    /// walls of hollows out of sight only where the hand cannot tell the two apart.
     std::optional<Placement> snapFaces(const Placement& placed,
                                        const DirectionAssignment& directions,
                                        const KeptRelations& keep) const {
@@ -429,7 +430,8 @@ class Placer {
                 if (plane.normal.cross(n).norm() > tol::kSolidDirection) continue;
                 const double off =
                     std::abs(plane.normal.dot(placed.points[at(loop[0])]) - plane.offset);
-                if (off < least && near(placed, loop, static_cast<int>(f))) {
+                if (off < least && near(placed, loop, static_cast<int>(f)) &&
+                    (off < options_.noisePx || model_.known(static_cast<int>(f)))) {
                     least = off;
                     best = static_cast<int>(f);
                 }
@@ -441,18 +443,18 @@ class Placer {
     }
 
     /// Does a face of the tool come near a face of the solid in space? Parallel planes far apart
-    /// sideways are no reason to be flush.
+    /// sideways are no reason to be flush. In the body's frame, where most faces lie along the
+    /// axes.
     bool near(const Placement& p, const std::vector<int>& loop, int face) const {
         Eigen::AlignedBox3d tool;
         Eigen::AlignedBox3d other;
-        for (const int v : loop) tool.extend(p.points[at(v)]);
+        for (const int v : loop) tool.extend(model_.toBody(p.points[at(v)]));
         for (const int v : model_.solid().faces()[at(face)].loops.front()) {
-            other.extend(model_.vertex(v));
+            other.extend(model_.solid().vertices()[at(v)]);
         }
-        const Vec3 reach = Vec3::Constant(options_.thresholds.distancePx);
-        other.min() -= reach;
-        other.max() += reach;
-        return tool.intersects(other);
+        const double mm = (model_.toBody(Vec3::UnitX()) - model_.toBody(Vec3::Zero())).norm();
+        const double reach = mm * options_.thresholds.distancePx;
+        return tool.exteriorDistance(other) < reach;
     }
 
     const JointGraph& joint_;

@@ -278,6 +278,31 @@ TEST(Modification, AHandsGroovesAndRoofsAreAsSteepOnBothSides) {
     EXPECT_GE(static_cast<double>(right), 0.88 * static_cast<double>(all)) << all;
 }
 
+// A wall in nearly the same plane, but at the other end of the solid, draws nothing to it.
+TEST(Modification, OnlyWhatIsNearInSpaceIsFlush) {
+    const auto cases = workedBoxModifications(1);
+    const auto c = std::find_if(cases.begin(), cases.end(), [](const ModificationCase& one) {
+        return one.name == "pocket with its inside";
+    });
+    ASSERT_NE(c, cases.end());
+    ASSERT_TRUE(c->legible());
+    InterpretOptions o;
+    o.camera = c->camera;
+    o.bodies = {c->target};
+    for (std::uint64_t i = 0; i < 10; ++i) {
+        SCOPED_TRACE(i);
+        Random hand(Random::mix(29, i));
+        const Interpretation r =
+            interpret(drawByHand(linesOnPlane(*c), kLightHand, hand), shippedLibrary(), o);
+        ASSERT_TRUE(r.accepted);
+        const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+        EXPECT_EQ(k.templateId, "cube");
+        ASSERT_TRUE(k.result);
+        const double change = std::abs(c->volume - c->target.solid.volume());
+        EXPECT_NEAR(k.result->volume(), c->volume, 0.1 * change);
+    }
+}
+
 // The same lines could be a box further back, but that one would be hidden.
 TEST(Modification, WhatIsAddedIsNotDrawnWhereTheSolidHidesIt) {
     Body body{solidOf(boxSpec(Vec3::Zero(), Vec3(320, 320, 40))), {}};
