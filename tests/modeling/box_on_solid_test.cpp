@@ -110,24 +110,29 @@ TEST(BoxOnSolid, OnlyBoxesAreLaid) {
     }
 }
 
+/// Of so many drawings by a hand, those that are taken for the change that was meant.
+std::uint64_t rightOf(const ModificationCase& c, const HandLevel& level, std::uint64_t seed,
+                      std::uint64_t drawings) {
+    InterpretOptions o;
+    o.camera = c.camera;
+    o.bodies = {c.target};
+    std::uint64_t right = 0;
+    for (std::uint64_t i = 0; i < drawings; ++i) {
+        Random hand(Random::mix(seed, i));
+        const Interpretation r =
+            interpret(drawByHand(linesOnPlane(c), level, hand), shippedLibrary(), o);
+        if (!r.accepted) continue;
+        const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+        right += k.result && k.operation == c.operation &&
+                 static_cast<int>(k.result->faces().size()) == c.faces;
+    }
+    return right;
+}
+
 // Ends of a rough hand lie so far apart that joining them leads to nothing.
 TEST(BoxOnSolid, RoughPocketsAndBoxesAreRead) {
     for (const char* name : {"pocket in the front", "box on the front"}) {
-        const ModificationCase c = caseNamed(name);
-        InterpretOptions o;
-        o.camera = c.camera;
-        o.bodies = {c.target};
-        int right = 0;
-        for (std::uint64_t i = 0; i < 12; ++i) {
-            Random hand(Random::mix(17, i));
-            const Interpretation r =
-                interpret(drawByHand(linesOnPlane(c), kRoughHand, hand), shippedLibrary(), o);
-            if (!r.accepted) continue;
-            const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
-            right += k.result && k.operation == c.operation &&
-                     static_cast<int>(k.result->faces().size()) == c.faces;
-        }
-        EXPECT_GE(right, 10) << name;
+        EXPECT_GE(rightOf(caseNamed(name), kRoughHand, 17, 12), 10u) << name;
     }
 }
 
@@ -139,18 +144,8 @@ TEST(BoxOnSolid, BetweenTwoWallsTheLinesThatAreSeenDo) {
     for (const int view : {2, 6, 9}) {
         for (const ModificationCase& c : jointModifications(view)) {
             if (c.name != "bridge between the bosses" || !c.legible()) continue;
-            InterpretOptions o;
-            o.camera = c.camera;
-            o.bodies = {c.target};
-            for (std::uint64_t i = 0; i < kDrawings; ++i, ++all) {
-                Random hand(Random::mix(5, i));
-                const Interpretation r =
-                    interpret(drawByHand(linesOnPlane(c), kLightHand, hand), shippedLibrary(), o);
-                if (!r.accepted) continue;
-                const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
-                right += k.result && k.operation == c.operation &&
-                         static_cast<int>(k.result->faces().size()) == c.faces;
-            }
+            right += rightOf(c, kLightHand, 5, kDrawings);
+            all += kDrawings;
         }
     }
     EXPECT_EQ(all, 3 * kDrawings);
