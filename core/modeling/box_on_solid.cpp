@@ -117,7 +117,7 @@ class Layer {
         return pairs;
     }
 
-    /// BoxPlaces that differ by less than the hand's noise are one; those with the most ink.
+    /// Places that differ by less than the hand's noise are one; those with the most ink.
     std::vector<BoxPlace> united(std::vector<BoxPlace> places, double pxPerUnit,
                                  std::size_t most) const {
         std::sort(places.begin(), places.end(),

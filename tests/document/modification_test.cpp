@@ -29,10 +29,7 @@ void draw(Document& d, const std::vector<Line2>& lines) {
     for (Stroke& s : exactStrokes(lines)) ASSERT_TRUE(d.addStroke(std::move(s)));
 }
 
-const ModificationCase& caseNamed(const std::string& name) {
-    static const std::vector<ModificationCase> all = boxModifications();
-    return *std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == name; });
-}
+ModificationCase onBox(const std::string& name) { return caseNamed(boxModifications(), name); }
 
 /// A document with the box, drawn.
 std::unique_ptr<Document> withBox() {
@@ -55,7 +52,7 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
     EXPECT_NEAR(d->state().bodies[0].solid.volume(), 192000, 1);
     const Solid box = d->state().bodies[0].solid;
 
-    draw(*d, linesOnPlane(caseNamed("edge notch by its outline")));
+    draw(*d, linesOnPlane(onBox("edge notch by its outline")));
     const auto cut = d->apply();
     ASSERT_TRUE(cut) << cut.error().message;
     EXPECT_EQ(d->undoStack().undoText(), QStringLiteral("Cut cube"));
@@ -70,7 +67,7 @@ TEST(DocumentModification, AddsAndCutsAreNamedStepsThatCanBeTakenBack) {
     ASSERT_TRUE(d->redo());
     EXPECT_TRUE(d->state().bodies[0].solid.identicalTo(notched));
 
-    draw(*d, linesOnPlane(caseNamed("box on a side face")));
+    draw(*d, linesOnPlane(onBox("box on a side face")));
     ASSERT_TRUE(d->apply(asking(Operation::Add)));
     EXPECT_EQ(d->undoStack().undoText(), QStringLiteral("Add cube"));
     EXPECT_NEAR(d->state().bodies[0].solid.volume(), 183000 + 25 * 30 * 20, 1);
@@ -94,7 +91,7 @@ TEST(DocumentModification, FilletsOfTheEdgesThatSurviveStay) {
     ASSERT_TRUE(d->fillet(other));
     ASSERT_TRUE(d->crease({EdgeChoice::Which::Picked, {one}}, 4.0));
 
-    draw(*d, linesOnPlane(caseNamed("edge notch by its outline")));
+    draw(*d, linesOnPlane(onBox("edge notch by its outline")));
     ASSERT_TRUE(d->apply());
     const auto& bodies = d->state().bodies;
     ASSERT_EQ(bodies[0].solid.edges().size(), 24U);
@@ -133,7 +130,7 @@ TEST(DocumentModification, FilletsOfTheEdgesThatSurviveStay) {
 TEST(DocumentModification, AnImpossibleOperationLeavesSolidAndInk) {
     const auto d = withBox();
     const auto state = &d->state();
-    draw(*d, linesOnPlane(caseNamed("corner cut by a triangle")));
+    draw(*d, linesOnPlane(onBox("corner cut by a triangle")));
     const auto added = d->apply(asking(Operation::Add));
     ASSERT_FALSE(added);
     EXPECT_FALSE(added.error().message.empty());
@@ -145,7 +142,7 @@ TEST(DocumentModification, AnImpossibleOperationLeavesSolidAndInk) {
 TEST(DocumentModification, TheRecordedScriptReplaysToTheSameSolid) {
     const auto d = withBox();
     for (const char* name : {"edge notch by its outline", "box on a side face"}) {
-        draw(*d, linesOnPlane(caseNamed(name)));
+        draw(*d, linesOnPlane(onBox(name)));
         ASSERT_TRUE(d->apply()) << name;
     }
     Document again(shippedLibrary());

@@ -13,13 +13,7 @@
 namespace ew::test {
 namespace {
 
-ModificationCase caseNamed(const std::string& name) {
-    const std::vector<ModificationCase> cases = boxModifications();
-    const auto found = std::find_if(cases.begin(), cases.end(),
-                                    [&](const ModificationCase& c) { return c.name == name; });
-    EXPECT_NE(found, cases.end()) << name;
-    return found == cases.end() ? cases.front() : *found;
-}
+ModificationCase onBox(const std::string& name) { return caseNamed(boxModifications(), name); }
 
 /// Every line without its ends: none meets another.
 std::vector<Stroke> shortened(const ModificationCase& c, double share) {
@@ -50,7 +44,7 @@ TEST(BoxOnSolid, NeedsNoLinesThatMeet) {
           "corner notch with its inner Y", "box flush with one edge", "box flush with two edges",
           "box hanging over the border", "box over the whole face"}) {
         SCOPED_TRACE(name);
-        const ModificationCase c = caseNamed(name);
+        const ModificationCase c = onBox(name);
         const Laid laid = layOn(c, shortened(c, 0.12));
         ASSERT_FALSE(laid.boxes.empty());
         const LaidBox& best = laid.boxes.front();
@@ -69,7 +63,7 @@ TEST(BoxOnSolid, NeedsNoLinesThatMeet) {
 TEST(BoxOnSolid, APocketIsNoBoxTurnedInsideOut) {
     for (const char* name : {"pocket in the front", "box on the front"}) {
         SCOPED_TRACE(name);
-        const ModificationCase c = caseNamed(name);
+        const ModificationCase c = onBox(name);
         const Laid laid = layOn(c, exactStrokes(linesOnPlane(c)));
         ASSERT_FALSE(laid.boxes.empty());
         for (const LaidBox& b : laid.boxes) {
@@ -80,7 +74,7 @@ TEST(BoxOnSolid, APocketIsNoBoxTurnedInsideOut) {
 }
 
 TEST(BoxOnSolid, SaysWhatIsBareAndWhatIsLeftOver) {
-    const ModificationCase c = caseNamed("box inside a face");
+    const ModificationCase c = onBox("box inside a face");
     auto strokes = shortened(c, 0.05);
     const double whole = layOn(c, strokes).boxes.front().price;
     EXPECT_EQ(whole, 0.0);
@@ -95,7 +89,7 @@ TEST(BoxOnSolid, SaysWhatIsBareAndWhatIsLeftOver) {
 }
 
 TEST(BoxOnSolid, InkBesideTheSolidLaysNothing) {
-    const ModificationCase c = caseNamed("box inside a face");
+    const ModificationCase c = onBox("box inside a face");
     std::vector<Stroke> strokes = shortened(c, 0.0);
     for (Stroke& s : strokes) {
         for (PenSample& p : s.samples) p.position += Vec2(2000, 0);
@@ -132,7 +126,7 @@ std::uint64_t rightOf(const ModificationCase& c, const HandLevel& level, std::ui
 // Ends of a rough hand lie so far apart that joining them leads to nothing.
 TEST(BoxOnSolid, RoughPocketsAndBoxesAreRead) {
     for (const char* name : {"pocket in the front", "box on the front"}) {
-        EXPECT_GE(rightOf(caseNamed(name), kRoughHand, 17, 12), 10u) << name;
+        EXPECT_GE(rightOf(onBox(name), kRoughHand, 17, 12), 10u) << name;
     }
 }
 

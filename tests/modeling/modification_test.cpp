@@ -103,14 +103,6 @@ TEST(Modification, AgainstWallsBetweenBossesAndIntoHollows) {
     expectAllRight(cases);
 }
 
-ModificationCase jointCase(const std::string& name) {
-    const auto cases = jointModifications(0);
-    const auto found = std::find_if(cases.begin(), cases.end(),
-                                    [&](const ModificationCase& c) { return c.name == name; });
-    EXPECT_NE(found, cases.end()) << name;
-    return found == cases.end() ? cases.front() : *found;
-}
-
 /// The exact drawing is read as it should be; then what stays out of the faces that are met.
 Candidate adjustedOf(const ModificationCase& c) {
     InterpretOptions o;
@@ -131,7 +123,7 @@ Candidate adjustedOf(const ModificationCase& c) {
 }
 
 TEST(Modification, WhereHiddenFacesMeetAnEarlierSlotTheAdjustedCutComesNext) {
-    const ModificationCase c = jointCase("deeper crossing slot");
+    const ModificationCase c = caseNamed(jointModifications(), "deeper crossing slot");
     const Candidate adjusted = adjustedOf(c);
     ASSERT_TRUE(adjusted.result);
     // As deep as the earlier slot: 80 x 20 x 15 less what that had taken.
@@ -140,7 +132,7 @@ TEST(Modification, WhereHiddenFacesMeetAnEarlierSlotTheAdjustedCutComesNext) {
 
 // Neither slope of the groove is parallel to a wall of the pocket.
 TEST(Modification, WhereNoHiddenFaceIsParallelTheAdjustedCutStaysClear) {
-    const ModificationCase c = jointCase("pocket into the groove");
+    const ModificationCase c = caseNamed(jointModifications(), "pocket into the groove");
     const Candidate adjusted = adjustedOf(c);
     ASSERT_TRUE(adjusted.result);
     // 50 x 44 x 20 less what would come nearer to the groove than a distance threshold: its ridge
@@ -254,23 +246,20 @@ TEST(Modification, AHandsGroovesAndRoofsAreAsSteepOnBothSides) {
     for (const char* name : {"V groove by its outline", "V groove with its inside",
                              "roof over the whole face", "roof over a part"}) {
         for (const int view : {0, 5}) {
-            const auto cases = boxModifications({}, view);
-            const auto c = std::find_if(cases.begin(), cases.end(),
-                                        [&](const auto& one) { return one.name == name; });
-            ASSERT_NE(c, cases.end()) << name;
-            if (!c->told || !c->legible()) continue;
+            const ModificationCase c = caseNamed(boxModifications({}, view), name);
+            if (!c.told || !c.legible()) continue;
             InterpretOptions o;
-            o.camera = c->camera;
-            o.bodies = {c->target};
+            o.camera = c.camera;
+            o.bodies = {c.target};
             for (std::uint64_t i = 0; i < kDrawings; ++i, ++all) {
                 Random hand(Random::mix(23, i));
                 const Interpretation r =
-                    interpret(drawByHand(linesOnPlane(*c), kNormalHand, hand), shippedLibrary(), o);
+                    interpret(drawByHand(linesOnPlane(c), kNormalHand, hand), shippedLibrary(), o);
                 if (!r.accepted) continue;
                 const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
-                const double change = std::abs(c->volume - c->target.solid.volume());
-                right += k.result && k.operation == c->operation &&
-                         std::abs(k.result->volume() - c->volume) < 0.15 * change;
+                const double change = std::abs(c.volume - c.target.solid.volume());
+                right += k.result && k.operation == c.operation &&
+                         std::abs(k.result->volume() - c.volume) < 0.15 * change;
             }
         }
     }
@@ -280,26 +269,22 @@ TEST(Modification, AHandsGroovesAndRoofsAreAsSteepOnBothSides) {
 
 // A wall in nearly the same plane, but at the other end of the solid, draws nothing to it.
 TEST(Modification, OnlyWhatIsNearInSpaceIsFlush) {
-    const auto cases = workedBoxModifications(1);
-    const auto c = std::find_if(cases.begin(), cases.end(), [](const ModificationCase& one) {
-        return one.name == "pocket with its inside";
-    });
-    ASSERT_NE(c, cases.end());
-    ASSERT_TRUE(c->legible());
+    const ModificationCase c = caseNamed(workedBoxModifications(1), "pocket with its inside");
+    ASSERT_TRUE(c.legible());
     InterpretOptions o;
-    o.camera = c->camera;
-    o.bodies = {c->target};
+    o.camera = c.camera;
+    o.bodies = {c.target};
     for (std::uint64_t i = 0; i < 10; ++i) {
         SCOPED_TRACE(i);
         Random hand(Random::mix(29, i));
         const Interpretation r =
-            interpret(drawByHand(linesOnPlane(*c), kLightHand, hand), shippedLibrary(), o);
+            interpret(drawByHand(linesOnPlane(c), kLightHand, hand), shippedLibrary(), o);
         ASSERT_TRUE(r.accepted);
         const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
         EXPECT_EQ(k.templateId, "cube");
         ASSERT_TRUE(k.result);
-        const double change = std::abs(c->volume - c->target.solid.volume());
-        EXPECT_NEAR(k.result->volume(), c->volume, 0.1 * change);
+        const double change = std::abs(c.volume - c.target.solid.volume());
+        EXPECT_NEAR(k.result->volume(), c.volume, 0.1 * change);
     }
 }
 

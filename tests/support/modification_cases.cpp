@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "core/solid/visibility.h"
@@ -195,11 +196,18 @@ std::vector<ModificationCase> workedBoxModifications(int view) {
     addAdds(cases);
     auto all = cases.take();
     for (ModificationCase& c : all) {
-        // Its floor is flush with a pocket out of sight, behind which a line ends for no reason that
-        // the person who draws could know.
+        // Its floor is flush with a pocket out of sight, behind which a line ends for no reason
+        // that the person who draws could know.
         if (c.name == "rabbet with its inside") c.told = false;
     }
     return all;
+}
+
+ModificationCase caseNamed(const std::vector<ModificationCase>& cases, const std::string& name) {
+    const auto found = std::find_if(cases.begin(), cases.end(),
+                                    [&](const ModificationCase& c) { return c.name == name; });
+    if (found == cases.end()) std::abort();
+    return *found;
 }
 
 std::vector<Line2> linesOnPlane(const ModificationCase& c) {

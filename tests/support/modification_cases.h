@@ -54,6 +54,9 @@ std::vector<ModificationCase> frustumModifications(int view = 0);
 /// Against a wall, between two bosses, and where new faces meet earlier hollows or bosses.
 std::vector<ModificationCase> jointModifications(int view = 0);
 
+/// The one of that name; a name that none has ends the program.
+ModificationCase caseNamed(const std::vector<ModificationCase>& cases, const std::string& name);
+
 /// A camera that sees the whole box from the side of its corner (80, 0, 40), about 400 px wide.
 OrthographicCamera defaultBoxCamera(const Pose& pose = {});
 
