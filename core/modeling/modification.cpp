@@ -338,9 +338,8 @@ class Modification {
 
     /// Faces of the solid that sides of the body lie in.
     static std::multiset<int> liesIn(const Placement& p) {
-        std::multiset<int> faces;
-        for (const auto& pair : p.coinciding) faces.insert(pair[1]);
-        return faces;
+        const std::vector<int> faces = solidFacesOf(p.coinciding);
+        return {faces.begin(), faces.end()};
     }
 
     /// The reason that is told is that of the best option.

@@ -74,7 +74,7 @@ class Chooser {
         : model_(model),
           pairs_(pairs),
           options_(options),
-          known_(directionsNear(model, facesOf(pairs))) {}
+          known_(directionsNear(model, solidFacesOf(pairs))) {}
 
     std::vector<Choice> choices(const DrawnClass& c) const {
         if (c.modelEdge >= 0) {
@@ -94,12 +94,6 @@ class Chooser {
     }
 
   private:
-    static std::vector<int> facesOf(const FacePairs& pairs) {
-        std::vector<int> faces;
-        for (const auto& p : pairs) faces.push_back(p[1]);
-        return faces;
-    }
-
     std::vector<Choice> near(const DrawnClass& c) const {
         const double drawn = 0.5 * std::atan2(c.doubled.y(), c.doubled.x());
         const double excuse = std::atan(options_.noisePx / std::max(0.5 * c.length, 1.0)) * kRadian;
@@ -169,6 +163,12 @@ bool flat(const DirectionAssignment& a) {
 }
 
 }  // namespace
+
+std::vector<int> solidFacesOf(const FacePairs& pairs) {
+    std::vector<int> faces;
+    for (const auto& p : pairs) faces.push_back(p[1]);
+    return faces;
+}
 
 KnownDirections DirectionAssignment::known() const {
     KnownDirections out;

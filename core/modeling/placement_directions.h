@@ -13,6 +13,7 @@
 namespace ew {
 
 using FacePairs = std::vector<std::array<int, 2>>;  ///< template face, face of the solid
+std::vector<int> solidFacesOf(const FacePairs& pairs);
 
 /// Which directions of the model the direction classes of a template take.
 struct DirectionAssignment {

@@ -29,9 +29,8 @@ double misfitOf(const Sighting& sighting, const TemplateAnalysis& analysis,
 
 int strangeDirections(const Placement& placement, const TemplateAnalysis& analysis,
                       const ModelView& model) {
-    std::vector<int> faces;
-    for (const auto& pair : placement.coinciding) faces.push_back(pair[1]);
-    const std::vector<ModelDirection>& known = directionsNear(model, faces);
+    const std::vector<ModelDirection>& known =
+        directionsNear(model, solidFacesOf(placement.coinciding));
     std::vector<bool> strange(at(analysis.classCount), true);
     for (const AnalysedEdge& e : analysis.edges) {
         const Vec3 d =
