@@ -79,10 +79,15 @@ class Maker {
     static constexpr std::size_t kFaults = 1000;
 
     FilletedCage build() {
+        // A single flat strip has no arc to be moved along.
+        std::vector<bool> arcs(at(topology_.halfCount()), false);
+        for (int h = 0; h < topology_.halfCount() && segments_ > 1; ++h) {
+            arcs[at(h)] = goesRound(topology_, h, wanted_);
+        }
         while (true) {
             std::vector<bool> filleted(wanted_.size());
             for (std::size_t e = 0; e < wanted_.size(); ++e) filleted[e] = wanted_[e] > 0.0;
-            const FilletPlan plan(topology_, std::move(filleted), styles_, taper_);
+            const FilletPlan plan(topology_, std::move(filleted), styles_, taper_, arcs);
             FilletFit fit = fitSetbacks(plan, wanted_);
             bool dropped = false;
             for (std::size_t e = 0; e < wanted_.size(); ++e) {
@@ -92,6 +97,13 @@ class Maker {
                 }
                 if (wanted_[e] <= 0.0 || fit.setbacks[e] > least_) continue;
                 wanted_[e] = 0.0;
+                dropped = true;
+            }
+            // Which setback is the largest is known only when all fit.
+            for (int h = 0; h < topology_.halfCount(); ++h) {
+                if (plan.sector(h).kind != FilletSector::Kind::Arc) continue;
+                if (goesRound(topology_, h, fit.setbacks)) continue;
+                arcs[at(h)] = false;
                 dropped = true;
             }
             if (dropped) continue;

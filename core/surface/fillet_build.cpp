@@ -5,17 +5,12 @@
 #include <cmath>
 
 #include "core/base/tolerance.h"
+#include "core/surface/fillet_corner.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// A run of boundary points of a corner's hole.
-struct HoleSide {
-    std::span<const int> ids;
-    int half = -1;  ///< the filleted half-edge whose strip ends here, -1 for a straight side
-};
 
 class Builder {
   public:
@@ -100,7 +95,7 @@ class Builder {
         const FilletSector& s = plan_.sector(h);
         const int g = topology_.ccw(h);
         const int v = half(h).origin;
-        std::array<int, 3> out{};
+        std::array<int, kMaxFilletSegments + 1> out{};
         std::size_t n = 0;
         const auto side = [&](int slot, double t, const Vec3& inward) {
             return mesh().addPoint(corner(slot) + t * half(slot).dir + setback(slot) * inward);
@@ -126,11 +121,30 @@ class Builder {
             if (plan_.filleted(h)) out[n++] = first();
             out[n++] = cornerId(v);
             if (plan_.filleted(g)) out[n++] = last();
+        } else if (s.kind == Kind::Arc) {
+            out[n++] = first();
+            const FaceArc arc = faceArc(h);
+            for (int j = 1; j < segments_; ++j) {
+                out[n++] = mesh().addPoint(arc.at(static_cast<double>(j) / segments_));
+            }
+            out[n++] = last();
         } else if (!plan_.isCap(v)) {
             out[n++] = cornerId(v);
         }
         chains_[at(h)] = {pool_.size(), n};
         pool_.insert(pool_.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(n));
+    }
+
+    FaceArc faceArc(int h) const {
+        const int g = topology_.ccw(h);
+        FaceArc arc;
+        arc.corner = corner(h);
+        arc.along = {half(h).dir, half(g).dir};
+        arc.inward = {half(h).inward, half(half(g).twin).inward};
+        arc.start = {plan_.start(h, setbacks_), plan_.startAcross(g, setbacks_)};
+        arc.setback = {setback(h), setback(g)};
+        arc.angle = half(h).angle;
+        return arc;
     }
 
     /// Ends of the strip of h at its origin: on the face across, and on its own.
@@ -197,15 +211,9 @@ class Builder {
             if (!plan_.filleted(h)) continue;
             const auto end = curve(h);
             const std::vector<int> reversed(end.rbegin(), end.rend());
-            addSharpEnd(reversed, half(topology_.ccw(h)).edge);
+            addSharpEnd(cage_, reversed, half(topology_.ccw(h)).edge);
             chains_[at(topology_.ccw(h))] = {pool_.size(), reversed.size()};
             pool_.insert(pool_.end(), reversed.begin(), reversed.end());
-        }
-    }
-
-    void addSharpEnd(std::span<const int> run, int edge) {
-        for (std::size_t k = 0; k + 1 < run.size(); ++k) {
-            cage_.sharpEnds.push_back({run[k], run[k + 1], edge});
         }
     }
 
@@ -272,43 +280,85 @@ class Builder {
 
     // Corners -----------------------------------------------------------------------------------
 
-    void addCorner(int v) {
+    std::vector<HoleSide> holeOf(int v, int sharp) {
         std::vector<HoleSide> sides;
-        bool straight = false;
         links_.clear();
         links_.reserve(8 * topology_.ring(v).size());
-        const int sharp = sharpEdgeAt(v);
         const auto link = [&](int a, int b) {
             if (a == b) return;
             if (sharp >= 0) cage_.sharpEnds.push_back({a, b, sharp});
             links_.push_back(a);
             links_.push_back(b);
-            sides.push_back({{links_.data() + links_.size() - 2, 2}, -1});
-            straight = true;
+            sides.push_back({{links_.data() + links_.size() - 2, 2}});
         };
         for (const int h : topology_.ring(v)) {
             if (plan_.filleted(h)) {
-                sides.push_back({curve(h), h});
+                sides.push_back({curve(h), h, HoleSide::Kind::Strip});
             } else {
                 link(rightEnd(h), leftEnd(h));
             }
             const auto c = chain(h);
+            if (plan_.sector(h).kind == FilletSector::Kind::Arc) {
+                sides.push_back({c, h, HoleSide::Kind::Arc});
+                continue;
+            }
             for (std::size_t k = 0; k + 1 < c.size(); ++k) link(c[k], c[k + 1]);
         }
+        return sides;
+    }
+
+    void addCorner(int v) {
+        const int sharp = sharpEdgeAt(v);
+        const std::vector<HoleSide> sides = holeOf(v, sharp);
+        const bool straight = std::any_of(sides.begin(), sides.end(), [](const HoleSide& s) {
+            return s.kind == HoleSide::Kind::Straight;
+        });
         if (plan_.keepsCorner(v) || plan_.style(v) != CornerStyle::Patch) {
-            for (const HoleSide& side : sides) {
-                if (side.half >= 0 && sharp >= 0) addSharpEnd(side.ids, sharp);
-            }
-            addFans(v, sides);
+            addFans(cage_, cornerId(v), sides, sharp);
         } else if (plan_.filletedAt(v) == 2) {
-            addBridge(sides, sharp);
+            addBridge(cage_, sides, sharp);
         } else if (straight || segments_ == 1) {
-            addPolygon(sides);
-        } else {
+            addPolygon(cage_.mesh, sides);
+        } else if (!addSweep(v, sides)) {
             std::vector<PatchSide> patch;
-            for (const HoleSide& side : sides) patch.push_back(patchSide(side));
+            for (const HoleSide& side : sides) {
+                patch.push_back(side.kind == HoleSide::Kind::Arc ? arcSide(side) : patchSide(side));
+            }
             addCornerPatch(mesh(), patch);
         }
+    }
+
+    /// Where two strips go round the end of a third one, as on a bent tube. False where they do
+    /// not.
+    bool addSweep(int v, std::span<const HoleSide> sides) {
+        if (sides.size() != 4) return false;
+        const auto arc = std::find_if(sides.begin(), sides.end(), [](const HoleSide& s) {
+            return s.kind == HoleSide::Kind::Arc;
+        });
+        if (arc == sides.end()) return false;
+        const auto side = [&](std::ptrdiff_t k) {
+            return sides[at(static_cast<int>((arc - sides.begin() + k + 4) % 4))].ids;
+        };
+        const FaceArc face = faceArc(arc->half);
+        if (std::min(face.start[0], face.start[1]) <= 0.0) return false;
+        addSweptPatch(mesh(), {topology_.position(v),
+                               {face.start[0] * face.along[0], face.start[1] * face.along[1]},
+                               side(-1),
+                               arc->ids,
+                               side(1),
+                               side(2)});
+        return true;
+    }
+
+    PatchSide arcSide(const HoleSide& side) const {
+        const FaceArc arc = faceArc(side.half);
+        PatchSide out;
+        out.ids.assign(side.ids.begin(), side.ids.end());
+        out.middle = arc.at(0.5);
+        const Vec3 chord = arc.at(1.0) - arc.at(0.0);
+        const Vec3 normal = topology_.solid().faces()[at(half(side.half).face)].normal;
+        out.inward = normal.cross(chord).normalized();
+        return out;
     }
 
     PatchSide patchSide(const HoleSide& side) const {
@@ -327,121 +377,6 @@ class Builder {
                      setback(h) / (1.0 + cosine) * (half(h).inward + half(half(h).twin).inward);
         out.radius = (out.middle - out.center).norm();
         return out;
-    }
-
-    /// Flat faces from the solid's corner to every strip end.
-    void addFans(int v, std::vector<HoleSide>& sides) {
-        const int apex = cornerId(v);
-        const auto isCurve = [](const HoleSide& s) { return s.half >= 0; };
-        std::rotate(sides.begin(), std::find_if(sides.begin(), sides.end(), isCurve), sides.end());
-        const Vec3& p = mesh().point(apex);
-        int before = -1;  // a point on the line to the next strip end's first point
-        std::vector<int> open;
-        const auto close = [&] {
-            if (!open.empty()) mesh().addFace(open);
-            open.clear();
-        };
-        for (const HoleSide& side : sides) {
-            const int a = side.ids.front();
-            const int b = side.ids.back();
-            if (isCurve(side)) {
-                close();
-                open = {apex};
-                if (before >= 0) open.push_back(before);
-                before = -1;
-                open.insert(open.end(), side.ids.begin(), side.ids.end());
-                continue;
-            }
-            if (a == apex || b == apex) continue;
-            const Vec3 toA = mesh().point(a) - p;
-            const Vec3 toB = mesh().point(b) - p;
-            const bool inLine = toA.cross(toB).norm() <= tol::kFilletFlat * toA.norm() * toB.norm();
-            if (!inLine) {
-                close();
-                open = {apex};
-                if (before >= 0) open.push_back(before);
-                before = -1;
-                open.insert(open.end(), {a, b});
-            } else if (toA.norm() < toB.norm()) {
-                before = a;
-            } else if (!open.empty()) {
-                open.push_back(b);
-            }
-        }
-        if (before >= 0) {
-            // The line leads to the first strip end, whose face is written already or still open.
-            finishFirst(before, open);
-        }
-        close();
-    }
-
-    /// Puts a point into the first fan face of the corner, after the apex.
-    void finishFirst(int point, std::vector<int>& open) {
-        if (cage_.origins.size() == at(mesh().faceCount())) {
-            open.insert(open.begin() + 1, point);
-            return;
-        }
-        const auto face = cage_.origins.size();
-        const auto loop = at(mesh().faceStart[face]);
-        const auto where = mesh().corners.begin() + mesh().loopStart[loop];
-        mesh().corners.insert(where + 1, point);
-        for (std::size_t l = loop + 1; l < mesh().loopStart.size(); ++l) ++mesh().loopStart[l];
-    }
-
-    /// Faces between two strip ends, rung by rung. Where the ends are one, a miter goes on along
-    /// the sharp edge.
-    void addBridge(const std::vector<HoleSide>& sides, int sharp) {
-        std::array<std::span<const int>, 2> ends;
-        std::size_t n = 0;
-        for (const HoleSide& side : sides) {
-            if (side.half >= 0) ends[n++] = side.ids;
-        }
-        const auto k = at(segments_);
-        for (std::size_t j = 0; j < k && sharp >= 0; ++j) {
-            if (ends[0][j] == ends[1][k - j] && ends[0][j + 1] == ends[1][k - j - 1]) {
-                cage_.sharpEnds.push_back({ends[0][j], ends[0][j + 1], sharp});
-            }
-        }
-        if (segments_ == 1) {
-            addPolygon(sides);
-            return;
-        }
-        for (std::size_t j = 0; j < k; ++j) {
-            std::array<int, 4> quad{ends[0][j], ends[0][j + 1], ends[1][k - j - 1], ends[1][k - j]};
-            std::vector<int> face;
-            for (const int id : quad) {
-                if (std::find(face.begin(), face.end(), id) == face.end()) face.push_back(id);
-            }
-            if (face.size() > 2) mesh().addFace(face);
-        }
-    }
-
-    /// One face where the hole is flat, else triangles around its middle.
-    void addPolygon(const std::vector<HoleSide>& sides) {
-        std::vector<int> ring;
-        Vec3 middle = Vec3::Zero();
-        for (const HoleSide& side : sides) {
-            ring.insert(ring.end(), side.ids.begin(), side.ids.end() - 1);
-            middle += 0.5 * (mesh().point(side.ids.front()) + mesh().point(side.ids.back()));
-        }
-        if (ring.size() < 3) return;
-        middle /= static_cast<double>(sides.size());
-        const Vec3 normal = loopAreaVector(cage_.mesh.points, ring).normalized();
-        double size = 0.0;
-        double off = 0.0;
-        for (const int id : ring) {
-            const Vec3 d = mesh().point(id) - mesh().point(ring[0]);
-            size = std::max(size, d.norm());
-            off = std::max(off, std::abs(normal.dot(d)));
-        }
-        if (ring.size() == 3 || off <= tol::kFilletFlat * size) {
-            mesh().addFace(ring);
-            return;
-        }
-        const int center = mesh().addPoint(middle);
-        for (std::size_t k = 0; k < ring.size(); ++k) {
-            mesh().addFace({center, ring[k], ring[(k + 1) % ring.size()]});
-        }
     }
 
     const FilletPlan& plan_;

@@ -66,11 +66,11 @@ class Limits {
             const int before = topology_.cw(h);
             const FilletSector& s = plan_.sector(before);
             limit.add(edge(h), s.lastOwn);
-            limit.add(edge(before), s.lastOther);
+            limit.add(edge(plan_.lastBeside(before)), s.lastOther);
         } else {
             const FilletSector& s = plan_.sector(h);
             limit.add(edge(h), s.firstOwn);
-            limit.add(edge(topology_.ccw(h)), s.firstOther);
+            limit.add(edge(plan_.firstBeside(h)), s.firstOther);
         }
     }
 
@@ -140,13 +140,19 @@ class Limits {
         const FilletHalfEdge& last = topology_.half(g);
         const Vec3 lastInward = topology_.half(last.twin).inward;
         if (plan_.filleted(h)) {
-            out.push_back({h, first.edge, last.edge, s.firstOwn * first.dir + first.inward,
-                           s.firstOther * first.dir});
+            out.push_back({h, first.edge, edge(plan_.firstBeside(h)),
+                           s.firstOwn * first.dir + first.inward, s.firstOther * first.dir});
         }
         if (plan_.filleted(g) && s.kind != Kind::Miter) {
-            out.push_back({h, last.edge, first.edge, s.lastOwn * last.dir + lastInward,
-                           s.lastOther * last.dir});
+            out.push_back({h, last.edge, edge(plan_.lastBeside(h)),
+                           s.lastOwn * last.dir + lastInward, s.lastOther * last.dir});
         }
+        if (s.kind != Kind::Arc || std::abs(std::sin(first.angle)) < tol::kFilletStraightSine)
+            return;
+        // An arc stays inside of where the sides would meet.
+        const MiterWeights miter = miterWeights(first.angle);
+        out.push_back({h, first.edge, last.edge, miter.own * first.dir + first.inward,
+                       miter.other * first.dir});
     }
 
     Box3 reach(const Mover& m) const {
@@ -170,8 +176,8 @@ class Limits {
         const int before = topology_.cw(t);
         const FilletSector& s = plan_.sector(h);
         const FilletSector& e = plan_.sector(before);
-        return {least(edge(h), edge(topology_.ccw(h)), s.firstOwn, s.firstOther),
-                least(edge(h), edge(before), e.lastOwn, e.lastOther)};
+        return {least(edge(h), edge(plan_.firstBeside(h)), s.firstOwn, s.firstOther),
+                least(edge(h), edge(plan_.lastBeside(before)), e.lastOwn, e.lastOther)};
     }
 
     Box3 reach(int h) const {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/surface/fillet_plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/tolerance.h"
 
@@ -10,10 +12,21 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+double cosineOf(double angle) {
+    const double cosine = std::cos(angle);
+    return std::abs(cosine) < tol::kApartRelative ? 0.0 : cosine;
+}
+
 }  // namespace
 
+MiterWeights miterWeights(double angle) {
+    const double sine = std::sin(angle);
+    return {cosineOf(angle) / sine, 1.0 / sine};
+}
+
 FilletPlan::FilletPlan(const FilletTopology& topology, std::vector<bool> filleted,
-                       std::vector<CornerStyle> styles, std::vector<double> taper)
+                       std::vector<CornerStyle> styles, std::vector<double> taper,
+                       const std::vector<bool>& arcs)
     : topology_(topology),
       filleted_(std::move(filleted)),
       styles_(std::move(styles)),
@@ -26,7 +39,10 @@ FilletPlan::FilletPlan(const FilletTopology& topology, std::vector<bool> fillete
         if (FilletPlan::filleted(h)) ++count_[at(topology_.half(h).origin)];
     }
     for (int h = 0; h < topology_.halfCount(); ++h) planSector(h);
-    for (int v = 0; at(v) < count_.size(); ++v) planVertex(v);
+    for (int v = 0; at(v) < count_.size(); ++v) {
+        planVertex(v);
+        planArcs(v, arcs);
+    }
 }
 
 void FilletPlan::planSector(int h) {
@@ -44,7 +60,7 @@ void FilletPlan::planSector(int h) {
     }
     const double angle = topology_.half(h).angle;
     const double sine = std::sin(angle);
-    const double cosine = std::abs(std::cos(angle)) < tol::kApartRelative ? 0.0 : std::cos(angle);
+    const double cosine = cosineOf(angle);
     if (own && other) {
         if (cosine < 0.0 && std::abs(sine) < tol::kFilletStraightSine) {
             s.kind = FilletSector::Kind::Step;
@@ -52,8 +68,9 @@ void FilletPlan::planSector(int h) {
             return;
         }
         s.kind = FilletSector::Kind::Miter;
-        s.firstOwn = s.lastOwn = cosine / sine;
-        s.firstOther = s.lastOther = 1.0 / sine;
+        const MiterWeights weights = miterWeights(angle);
+        s.firstOwn = s.lastOwn = weights.own;
+        s.firstOther = s.lastOther = weights.other;
         return;
     }
     // A narrow sector is cut far out because there is no other way; any other one in reach only.
@@ -111,15 +128,64 @@ void FilletPlan::planVertex(int vertex) {
     }
 }
 
+bool goesRound(const FilletTopology& topology, int h, const std::vector<double>& setbacks) {
+    const auto setback = [&](int g) { return setbacks[at(topology.half(g).edge)]; };
+    const double angle = topology.half(h).angle;
+    const int before = topology.cw(h);
+    const int next = topology.ccw(h);
+    const int after = topology.ccw(next);
+    for (const int g : {before, h, next, after}) {
+        if (setback(g) <= 0.0) return false;
+    }
+    // In a reflex corner the sides would meet behind the corner and pinch the strips.
+    if (angle > std::numbers::pi) return true;
+    if (before != after) return false;
+    const auto& edges = topology.solid().edges();
+    const auto convex = [&](int g) { return edges[at(topology.half(g).edge)].convex; };
+    if (convex(h) != convex(next) || convex(h) != convex(before)) return false;
+    if (setback(before) <= std::max(setback(h), setback(next))) return false;
+    const MiterWeights own = miterWeights(angle);
+    const auto ahead = [&](int g, int other, double side) {
+        const MiterWeights across = miterWeights(side);
+        return across.own * setback(g) + across.other * setback(before) - own.own * setback(g) -
+               own.other * setback(other);
+    };
+    const double least = std::min(ahead(h, next, topology.half(before).angle),
+                                  ahead(next, h, topology.half(next).angle));
+    return least > tol::kFilletArcLeast * setback(before);
+}
+
+/// Where all edges of the corner are filleted and the neighbouring sectors have one point each.
+void FilletPlan::planArcs(int vertex, const std::vector<bool>& arcs) {
+    const auto ring = topology_.ring(vertex);
+    if (styles_[at(vertex)] != CornerStyle::Patch || ring.size() < 3) return;
+    if (at(count_[at(vertex)]) != ring.size()) return;
+    using Kind = FilletSector::Kind;
+    const auto mitered = [&](int h) {
+        return sectors_[at(h)].kind == Kind::Miter && topology_.half(h).angle < std::numbers::pi;
+    };
+    for (const int h : ring) {
+        const int before = topology_.cw(h);
+        const int after = topology_.ccw(h);
+        if (!arcs[at(h)] || !mitered(before) || !mitered(after)) continue;
+        FilletSector& s = sectors_[at(h)];
+        s.kind = Kind::Arc;
+        s.firstOwn = sectors_[at(before)].lastOwn;
+        s.firstOther = sectors_[at(before)].lastOther;
+        s.lastOwn = sectors_[at(after)].firstOwn;
+        s.lastOther = sectors_[at(after)].firstOther;
+    }
+}
+
 double FilletPlan::start(int h, const std::vector<double>& setbacks) const {
     const FilletSector& s = sector(h);
-    return s.firstOwn * setback(h, setbacks) + s.firstOther * setback(topology_.ccw(h), setbacks);
+    return s.firstOwn * setback(h, setbacks) + s.firstOther * setback(firstBeside(h), setbacks);
 }
 
 double FilletPlan::startAcross(int h, const std::vector<double>& setbacks) const {
     const int before = topology_.cw(h);
     const FilletSector& s = sector(before);
-    return s.lastOwn * setback(h, setbacks) + s.lastOther * setback(before, setbacks);
+    return s.lastOwn * setback(h, setbacks) + s.lastOther * setback(lastBeside(before), setbacks);
 }
 
 }  // namespace ew

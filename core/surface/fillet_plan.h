@@ -25,14 +25,30 @@ struct FilletSector {
         Step,   ///< both filleted and nearly in one line: two points on the bisector
         Cut,    ///< one filleted, its side meets the line of the sharp one
         End,    ///< each side ends by itself, the solid's corner lies between
+        Arc,    ///< both filleted: the strips end square to their edges, where the strips on their
+                ///< other sides begin, and the face is rounded between them
     };
     Kind kind = Kind::Bare;
     bool keepsCorner = false;  ///< the solid's corner stays a corner of the face
     double firstOwn = 0.0;     ///< position along h = firstOwn * s(h) + firstOther * s(g)
-    double firstOther = 0.0;
-    double lastOwn = 0.0;  ///< position along g = lastOwn * s(g) + lastOther * s(h)
+    double firstOther = 0.0;   ///< in an arc of the edge before h, as firstBeside() says
+    double lastOwn = 0.0;      ///< position along g = lastOwn * s(g) + lastOther * s(h)
     double lastOther = 0.0;
 };
+
+/// Where the sides of two filleted edges of a face meet, by the angle between the edges: position
+/// along either one = own * its setback + other * that of the other one.
+struct MiterWeights {
+    double own = 0.0;
+    double other = 0.0;
+};
+MiterWeights miterWeights(double angle);
+
+/// Whether two strips go round the end of a third one at the sector between them, as on a bent
+/// tube, with these setbacks: where they lie in a reflex corner of the face and where, at a corner
+/// of three edges that are all convex or all concave, the third one's setback is the largest.
+/// \param setbacks  by edge, > 0 where filleted.
+bool goesRound(const FilletTopology& topology, int h, const std::vector<double>& setbacks);
 
 /// The combinatorial half of the fillet: which edges are filleted and what every sector becomes.
 class FilletPlan {
@@ -40,8 +56,10 @@ class FilletPlan {
     /// \param filleted  by edge of the solid.
     /// \param styles    by vertex.
     /// \param taper     by vertex, setbacks between a strip's end and the corner where tapered.
+    /// \param arcs      by half-edge, whether its sector may be an arc.
     FilletPlan(const FilletTopology& topology, std::vector<bool> filleted,
-               std::vector<CornerStyle> styles, std::vector<double> taper);
+               std::vector<CornerStyle> styles, std::vector<double> taper,
+               const std::vector<bool>& arcs);
 
     const FilletTopology& topology() const { return topology_; }
     bool filleted(int h) const {
@@ -54,6 +72,15 @@ class FilletPlan {
     bool keepsCorner(int vertex) const { return kept_[static_cast<std::size_t>(vertex)]; }
     CornerStyle style(int vertex) const { return styles_[static_cast<std::size_t>(vertex)]; }
 
+    /// Half-edges whose setbacks the other weights of a sector are for.
+    int firstBeside(int h) const {
+        return sector(h).kind == FilletSector::Kind::Arc ? topology_.cw(h) : topology_.ccw(h);
+    }
+    int lastBeside(int h) const {
+        const bool arc = sector(h).kind == FilletSector::Kind::Arc;
+        return arc ? topology_.ccw(topology_.ccw(h)) : h;
+    }
+
     /// Where the strip or the sharp rest of h begins, on the face of h: along h, as position().
     double start(int h, const std::vector<double>& setbacks) const;
     /// The same on the other face of the edge.
@@ -62,6 +89,7 @@ class FilletPlan {
   private:
     void planSector(int h);
     void planVertex(int vertex);
+    void planArcs(int vertex, const std::vector<bool>& arcs);
     double setback(int h, const std::vector<double>& setbacks) const {
         return setbacks[static_cast<std::size_t>(topology_.half(h).edge)];
     }
