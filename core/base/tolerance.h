@@ -303,6 +303,9 @@ inline constexpr double kFilletArcAngle = 1e-3;
 /// Triangles are apart where a separating plane leaves this share of the model's size: a few
 /// roundings of coordinates.
 inline constexpr double kApartRelative = 1e-13;
+/// Triangles round a point are seen beside each other along an axis to which all their normals have
+/// at least this cosine.
+inline constexpr double kSpreadCosine = 0.05;
 /// Two triangles on one edge lie on each other where the sine of the angle between them is below
 /// this: rounded points of faces that are truly apart keep more.
 inline constexpr double kFoldedSine = 1e-9;

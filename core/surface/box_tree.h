@@ -11,11 +11,13 @@ namespace ew {
 
 using Box3 = Eigen::AlignedBox3d;
 
-/// A tree of boxes (median splits of the centres) over numbered items. O(n log n) to build.
+/// A tree of boxes (median splits of the centres) over numbered items. O(n log n) to build. Boxes
+/// are kept in single precision, a rounding larger than they are: some that only nearly meet are
+/// visited too.
 class BoxTree {
   public:
     BoxTree() = default;
-    explicit BoxTree(std::vector<Box3> boxes);
+    explicit BoxTree(const std::vector<Box3>& boxes);
 
     bool empty() const { return order_.empty(); }
 
@@ -23,19 +25,20 @@ class BoxTree {
     template <class Visit>
     void overlapping(const Box3& box, Visit&& visit) const {
         if (empty()) return;
+        const Bounds bounds = boundsOf(box);
         std::array<int, kDepth> stack{0};
         int top = 1;
         while (top > 0) {
-            const Node& node = nodes_[static_cast<std::size_t>(stack[at(--top)])];
-            if (!meets(node.box, box)) continue;
+            const int index = stack[at(--top)];
+            const Node& node = nodes_[at(index)];
+            if (!meets(node.bounds, bounds)) continue;
             if (node.right >= 0) {
                 stack[at(top++)] = node.right;
-                stack[at(top++)] = static_cast<int>(&node - nodes_.data()) + 1;
+                stack[at(top++)] = index + 1;
                 continue;
             }
             for (int k = node.first; k < node.last; ++k) {
-                const int item = order_[at(k)];
-                if (meets(boxes_[at(item)], box)) visit(item);
+                if (meets(bounds_[at(k)], bounds)) visit(order_[at(k)]);
             }
         }
     }
@@ -47,21 +50,33 @@ class BoxTree {
     }
 
   private:
+    struct Bounds {
+        std::array<float, 3> low{};
+        std::array<float, 3> high{};
+    };
     struct Node {
-        Box3 box;
+        Bounds bounds;
         int right = -1;  ///< second child, the first one follows its parent; -1 in a leaf
         int first = 0;
         int last = 0;
+    };
+    /// What a split sorts.
+    struct Item {
+        std::array<float, 3> center;
+        int item;
     };
     static constexpr int kDepth = 128;  ///< median splits of 2^31 items need 32 levels
     static constexpr int kLeaf = 4;
 
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    static bool meets(const Box3& a, const Box3& b) {
-        return (a.min().array() <= b.max().array()).all() &&
-               (b.min().array() <= a.max().array()).all();
+    static Bounds boundsOf(const Box3& box);
+    static bool meets(const Bounds& a, const Bounds& b) {
+        // No branch between the axes: it would be taken at random.
+        return static_cast<bool>(int{a.low[0] <= b.high[0]} & int{b.low[0] <= a.high[0]} &
+                                 int{a.low[1] <= b.high[1]} & int{b.low[1] <= a.high[1]} &
+                                 int{a.low[2] <= b.high[2]} & int{b.low[2] <= a.high[2]});
     }
-    void build(int first, int last);
+    void build(std::vector<Item>& items, const std::vector<Bounds>& bounds, int first, int last);
 
     template <class Visit>
     void within(int index, Visit& visit) const {
@@ -73,18 +88,18 @@ class BoxTree {
             return;
         }
         for (int i = node.first; i < node.last; ++i) {
-            for (int k = i + 1; k < node.last; ++k) pair(order_[at(i)], order_[at(k)], visit);
+            for (int k = i + 1; k < node.last; ++k) pair(i, k, visit);
         }
     }
     template <class Visit>
     void between(int a, int b, Visit& visit) const {
         const Node& na = nodes_[at(a)];
         const Node& nb = nodes_[at(b)];
-        if (!meets(na.box, nb.box)) return;
+        if (!meets(na.bounds, nb.bounds)) return;
         if (na.right < 0 && nb.right < 0) {
             for (int i = na.first; i < na.last; ++i) {
-                if (!meets(boxes_[at(order_[at(i)])], nb.box)) continue;
-                for (int k = nb.first; k < nb.last; ++k) pair(order_[at(i)], order_[at(k)], visit);
+                if (!meets(bounds_[at(i)], nb.bounds)) continue;
+                for (int k = nb.first; k < nb.last; ++k) pair(i, k, visit);
             }
             return;
         }
@@ -100,12 +115,11 @@ class BoxTree {
     }
     template <class Visit>
     void pair(int a, int b, Visit& visit) const {
-        if (meets(boxes_[at(a)], boxes_[at(b)])) visit(a, b);
+        if (meets(bounds_[at(a)], bounds_[at(b)])) visit(order_[at(a)], order_[at(b)]);
     }
 
-    std::vector<Box3> boxes_;
-    std::vector<Vec3> centers_;  ///< while building only
-    std::vector<int> order_;
+    std::vector<int> order_;      ///< items in the order of the leaves
+    std::vector<Bounds> bounds_;  ///< in that order
     std::vector<Node> nodes_;
 };
 

@@ -184,7 +184,7 @@ class Maker {
             return (cage.mesh.point(b) - p).cross(cage.mesh.point(c) - p).dot(normal);
         };
         bool found = false;
-        BoxTree(std::move(boxes)).overlappingPairs([&](int i, int k) {
+        BoxTree(boxes).overlappingPairs([&](int i, int k) {
             const auto [a, b] = sides[at(i)];
             const auto [c, d] = sides[at(k)];
             if (a == c || a == d || b == c || b == d) return;

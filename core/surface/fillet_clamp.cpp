@@ -216,7 +216,7 @@ class Limits {
         std::vector<Box3> boxes;
         boxes.reserve(sides.size());
         for (const int side : sides) boxes.push_back(reach(side));
-        const BoxTree tree(std::move(boxes));
+        const BoxTree tree(boxes);
         for (const Mover& m : movers) {
             tree.overlapping(reach(m), [&](int i) { addMeeting(m, sides[at(i)]); });
         }

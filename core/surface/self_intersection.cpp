@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/tolerance.h"
 #include "core/surface/box_tree.h"
@@ -40,9 +41,12 @@ class Finder {
         for (const Vec3& p : points) whole.extend(p);
         apart_ = tol::kApartRelative * (whole.isEmpty() ? 0.0 : whole.diagonal().norm());
         normals_.reserve(triangles.size());
+        lengths_.reserve(triangles.size());
         for (const auto& t : triangles) {
             normals_.push_back((point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])));
+            lengths_.push_back(normals_.back().norm());
         }
+        findSpread();
     }
 
     BoxTree tree() const {
@@ -54,7 +58,7 @@ class Finder {
             box.extend(point(t[2]));
             boxes.push_back(box);
         }
-        return BoxTree(std::move(boxes));
+        return BoxTree(boxes);
     }
 
     bool meet(int a, int b) const {
@@ -64,9 +68,12 @@ class Finder {
             case 0:
                 return !separated(corners(s), corners(t), normals_[at(a)], normals_[at(b)]);
             case 1:
+                if (spread_[at(s[0])]) return false;
+                // Most are wholly on one side of the other's plane.
+                if (onOneSide(a, s, t) || onOneSide(b, t, s)) return false;
                 return conesMeet(s, t, normals_[at(a)], normals_[at(b)]);
             case 2:
-                return folded(s, t);
+                return !spread_[at(s[0])] && !spread_[at(s[1])] && folded(s, t);
             default:
                 return true;
         }
@@ -76,6 +83,57 @@ class Finder {
     const Vec3& point(int i) const { return points_[at(i)]; }
     Triangle corners(const std::array<int, 3>& t) const {
         return {point(t[0]), point(t[1]), point(t[2])};
+    }
+
+    /// Finds the points whose triangles lie beside each other, without overlap, seen from some
+    /// direction: those meet nowhere else.
+    void findSpread() {
+        std::vector<std::size_t> start(points_.size() + 1, 0);
+        for (const auto& t : triangles_) {
+            for (const int i : t) ++start[at(i) + 1];
+        }
+        for (std::size_t i = 0; i < points_.size(); ++i) start[i + 1] += start[i];
+        std::vector<int> around(3 * triangles_.size());
+        std::vector<std::size_t> fill(start.begin(), start.end() - 1);
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            for (const int i : triangles_[t]) around[fill[at(i)]++] = static_cast<int>(t);
+        }
+        spread_.resize(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const std::size_t count = start[i + 1] - start[i];
+            spread_[i] = isSpread(static_cast<int>(i), {around.data() + start[i], count});
+        }
+    }
+
+    bool isSpread(int center, std::span<const int> around) const {
+        Vec3 axis = Vec3::Zero();
+        for (const int t : around) axis += normals_[at(t)] / lengths_[at(t)];
+        const Vec3 across = axis.unitOrthogonal();
+        const Vec3 up = axis.cross(across);
+        const double least = tol::kSpreadCosine * axis.norm();
+        int turns = 0;
+        for (const int t : around) {
+            const auto& ids = triangles_[at(t)];
+            const std::size_t k = ids[0] == center ? 0 : ids[1] == center ? 1 : 2;
+            const Vec3 one = point(ids[(k + 1) % 3]) - point(center);
+            const Vec3 other = point(ids[(k + 2) % 3]) - point(center);
+            const double sliver = tol::kFoldedSine * (one.squaredNorm() + other.squaredNorm());
+            if (!(lengths_[at(t)] > sliver)) return false;
+            if (!(normals_[at(t)].dot(axis) > least * lengths_[at(t)])) return false;
+            // All turn to the left: they go round as often as one direction lies in them.
+            if (up.dot(one) <= 0.0 && up.dot(other) > 0.0) ++turns;
+        }
+        return turns == 1;
+    }
+
+    /// Whether the other two corners of `t` are off the plane of triangle `index`, which is `s`, on
+    /// one side. The first corner is that of both.
+    bool onOneSide(int index, const std::array<int, 3>& s, const std::array<int, 3>& t) const {
+        const Vec3& p = point(s[0]);
+        const double one = normals_[at(index)].dot(point(t[1]) - p);
+        const double other = normals_[at(index)].dot(point(t[2]) - p);
+        const double slack = apart_ * lengths_[at(index)];
+        return std::min(one, other) > slack || std::max(one, other) < -slack;
     }
 
     bool splits(const Vec3& axis, const Triangle& s, const Triangle& t) const {
@@ -167,20 +225,25 @@ class Finder {
     }
 
     bool folded(const std::array<int, 3>& s, const std::array<int, 3>& t) const {
-        const Vec3 edge = (point(s[1]) - point(s[0])).normalized();
+        const Vec3 side = point(s[1]) - point(s[0]);
+        const Vec3 one = point(s[2]) - point(s[0]);
+        const Vec3 other = point(t[2]) - point(t[0]);
+        if (one.dot(other) * side.squaredNorm() <= side.dot(one) * side.dot(other)) return false;
+        const Vec3 edge = side.normalized();
         const auto away = [&](int i) -> Vec3 {
             const Vec3 d = point(i) - point(s[0]);
             return d - edge * edge.dot(d);
         };
         const Vec3 u = away(s[2]);
         const Vec3 w = away(t[2]);
-        if (u.dot(w) <= 0.0) return false;
         return u.cross(w).norm() <= tol::kFoldedSine * u.norm() * w.norm();
     }
 
     const std::vector<Vec3>& points_;
     const std::vector<std::array<int, 3>>& triangles_;
     std::vector<Vec3> normals_;
+    std::vector<double> lengths_;  ///< of the normals
+    std::vector<char> spread_;     ///< by point
     double apart_ = 0.0;
 };
 

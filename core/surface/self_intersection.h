@@ -11,6 +11,7 @@ namespace ew {
 
 /// Pairs of triangles that meet in more than the corners that they share. Errs to the safe side:
 /// triangles that touch within rounding (tol::kApartRelative of the size) are reported.
+/// \pre the triangles are oriented, and those round a point are one closed fan.
 /// \param group  triangles of one non-negative group are known to be free of each other.
 /// \param limit  stops after so many pairs.
 /// O(n log n) for surfaces.
