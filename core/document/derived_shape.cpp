@@ -311,8 +311,8 @@ ShapeMesh shapeMesh(const Body& body, const BodyShape& shape) {
         out.triangles = shape.surface->triangles;
         out.normalTriangles = shape.surface->normalTriangles;
         out.normals.reserve(shape.surface->normals.size());
-        for (const Vec3& n : shape.surface->normals) {
-            out.normals.push_back(body.pose.directionToWorld(n));
+        for (const Eigen::Vector3f& n : shape.surface->normals) {
+            out.normals.push_back(body.pose.directionToWorld(n.cast<double>()));
         }
         return out;
     }

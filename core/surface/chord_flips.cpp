@@ -43,7 +43,7 @@ class ChordFlips {
                                                 : surface_.normalTriangles[t];
     }
     const Vec3& point(int i) const { return surface_.positions[at(i)]; }
-    const Vec3& normal(int i) const { return surface_.normals[at(i)]; }
+    Vec3 normal(int i) const { return surface_.normals[at(i)].cast<double>(); }
 
     /// 1: by all its normals the triangle faces outwards, -1: inwards, 0: they do not agree.
     int facing(const Ids& corners, const Ids& normals) const {

@@ -281,7 +281,7 @@ class Tessellator {
         return static_cast<int>(out_.positions.size()) - 1;
     }
     int addNormal(const Vec3& normal) {
-        out_.normals.push_back(normal);
+        out_.normals.push_back(normal.cast<float>());
         return static_cast<int>(out_.normals.size()) - 1;
     }
 
@@ -323,18 +323,20 @@ class Tessellator {
         std::vector<bool> missing(out_.normals.size());
         for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = out_.normals[i].isZero(0.0);
         if (std::find(missing.begin(), missing.end(), true) == missing.end()) return;
+        std::map<int, Vec3> sums;
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            if (missing[i]) sums.emplace(static_cast<int>(i), Vec3::Zero());
+        }
         const auto& ids = edges_.anyHard() ? out_.normalTriangles : out_.triangles;
         for (std::size_t t = 0; t < ids.size(); ++t) {
             const Vec3& a = out_.positions[at(out_.triangles[t][0])];
             const Vec3 area = (out_.positions[at(out_.triangles[t][1])] - a)
                                   .cross(out_.positions[at(out_.triangles[t][2])] - a);
             for (const int i : ids[t]) {
-                if (missing[at(i)]) out_.normals[at(i)] += area;
+                if (missing[at(i)]) sums[i] += area;
             }
         }
-        for (std::size_t i = 0; i < missing.size(); ++i) {
-            if (missing[i]) out_.normals[i].normalize();
-        }
+        for (const auto& [i, sum] : sums) out_.normals[at(i)] = sum.normalized().cast<float>();
     }
 
     void addFacet(int face, const std::array<int, 4>& q) {
@@ -352,7 +354,8 @@ class Tessellator {
         }
         const auto corner = [&](std::size_t k) {
             const Slot& slot = slots_[at(q[k])];
-            return SurfacePoint{out_.positions[at(slot.position)], out_.normals[at(slot.normal)]};
+            return SurfacePoint{out_.positions[at(slot.position)],
+                                out_.normals[at(slot.normal)].cast<double>()};
         };
         if (turnsLess(corner(0), corner(2), corner(1), corner(3))) {
             emit(q[0], q[1], q[2]);
@@ -390,7 +393,7 @@ class Tessellator {
 
 std::size_t surfaceBytes(std::size_t positions, std::size_t triangles, bool creased) {
     const std::size_t perTriangle = sizeof(std::array<int, 3>) * (creased ? 2 : 1) + sizeof(int);
-    return positions * 2 * sizeof(Vec3) + triangles * perTriangle;
+    return positions * (sizeof(Vec3) + sizeof(Eigen::Vector3f)) + triangles * perTriangle;
 }
 
 Result<SurfaceMesh> subdivide(const ControlCage& cage, const SubdivisionOptions& options) {

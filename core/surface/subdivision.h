@@ -14,17 +14,18 @@ inline constexpr int kMaxSubdivisionLevels = 6;
 
 /// Triangles on the limit surface: closed, oriented, no T vertices.
 struct SurfaceMesh {
-    std::vector<Vec3> positions;                      ///< [mm]
-    std::vector<std::array<int, 3>> triangles;        ///< positions, counter-clockwise from outside
-    std::vector<Vec3> normals;                        ///< unit limit normals, outward
+    std::vector<Vec3> positions;                ///< [mm]
+    std::vector<std::array<int, 3>> triangles;  ///< positions, counter-clockwise from outside
+    std::vector<Eigen::Vector3f> normals;       ///< unit limit normals, outward; a normal needs
+                                                ///< no more digits, and there are many
     std::vector<std::array<int, 3>> normalTriangles;  ///< normals, by triangle; empty where normal
                                                       ///< i belongs to position i (no sharp crease)
     std::vector<int> origin;                          ///< by triangle: face of the control cage
 
     /// The normal at a corner (0..2) of a triangle.
-    const Vec3& normal(std::size_t triangle, std::size_t corner) const {
+    Vec3 normal(std::size_t triangle, std::size_t corner) const {
         const auto& n = normalTriangles.empty() ? triangles : normalTriangles;
-        return normals[static_cast<std::size_t>(n[triangle][corner])];
+        return normals[static_cast<std::size_t>(n[triangle][corner])].cast<double>().normalized();
     }
 };
 

@@ -10,7 +10,7 @@ namespace {
 SurfaceMesh crossingChord() {
     SurfaceMesh mesh;
     mesh.positions = {{0, 0, 0}, {4, 0, 0}, {2, -0.1, 0}, {2, -2, 0}};
-    mesh.normals.assign(4, Vec3::UnitZ());
+    mesh.normals.assign(4, Eigen::Vector3f::UnitZ());
     mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
     mesh.origin = {0, 1};
     return mesh;
@@ -36,7 +36,8 @@ TEST(ChordFlips, ATriangleThatRunsBackwardsIsTurnedRound) {
 
 TEST(ChordFlips, CreasesAndGoodTrianglesStay) {
     SurfaceMesh crease = crossingChord();
-    crease.normals = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()};
+    using Normal = Eigen::Vector3f;
+    crease.normals = {Normal::UnitZ(), Normal::UnitZ(), Normal::UnitZ(), Normal::UnitX()};
     crease.normalTriangles = {{0, 1, 2}, {3, 3, 3}};
     const auto before = crease.triangles;
     flipCrossingChords(crease);

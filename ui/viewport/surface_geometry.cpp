@@ -127,7 +127,8 @@ void addCreases(const Body& body, const SurfaceMesh& surface, LinePieces& out) {
             }
             // Faces of one smooth part have normals of their own at a crease's end, but the same.
             const auto differ = [&](int m, int n) {
-                return surface.normals[at(m)].dot(surface.normals[at(n)]) < kSameNormal;
+                return static_cast<double>(surface.normals[at(m)].dot(surface.normals[at(n)])) <
+                       kSameNormal;
             };
             if (differ(twin->second[0], nb) && differ(twin->second[1], na)) {
                 out.push_back({worldPoint(body, surface.positions, a),
@@ -308,7 +309,7 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
             }
         }
         for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-            const Vec3 n = pose.directionToWorld(mesh.normals[i]);
+            const Vec3 n = pose.directionToWorld(mesh.normals[i].cast<double>());
             write(normals->GetPointer(0), base + i, n);
             if (own)
                 write(positions->GetPointer(0), base + i, pose.toWorld(mesh.positions[i]) - origin);
