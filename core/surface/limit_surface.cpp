@@ -5,6 +5,10 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+#include <shared_mutex>
 
 namespace ew {
 namespace {
@@ -13,6 +17,41 @@ namespace Osd = OpenSubdiv;
 
 const Osd::Bfr::Surface<double>::PointDescriptor kThree(3);
 constexpr int kCoarseLevels = 3;  ///< as dense as the samples beside extraordinary points
+constexpr int kSharpLevels = 6;
+
+/// Patches by topology; they outlive a surface, since the next one is mostly of the same topology:
+/// while a radius is dragged only the points move.
+class PatchCache : public Osd::Bfr::SurfaceFactoryCache {
+  public:
+    bool full() const {
+        constexpr std::size_t kMost = 2000;  // some tens of KiB each
+        const std::shared_lock lock(mutex_);
+        return Size() >= kMost;
+    }
+
+  protected:
+    DataType Find(const KeyType& key) const override {
+        const std::shared_lock lock(mutex_);
+        return find(key);
+    }
+    DataType Add(const KeyType& key, const DataType& data) override {
+        const std::unique_lock lock(mutex_);
+        return add(key, data);
+    }
+
+  private:
+    mutable std::shared_mutex mutex_;
+};
+
+/// The cache for factories with these options, which it depends on.
+std::shared_ptr<PatchCache> patchCache(Osd::Sdc::SchemeType scheme, int smooth, int sharp) {
+    static std::mutex mutex;
+    static std::map<std::array<int, 3>, std::shared_ptr<PatchCache>> caches;
+    const std::scoped_lock lock(mutex);
+    std::shared_ptr<PatchCache>& cache = caches[{static_cast<int>(scheme), smooth, sharp}];
+    if (!cache || cache->full()) cache = std::make_shared<PatchCache>();
+    return cache;
+}
 
 }  // namespace
 
@@ -56,13 +95,17 @@ Result<LimitSurface> LimitSurface::create(const ControlCage& cage, SubdivisionSc
     LimitSurface out(cage);
     out.refiner_.reset(RefinerFactory::Create(descriptor, RefinerFactory::Options(type, options)));
     if (!out.refiner_) return fail(Errc::Internal, "The cage could not be subdivided.");
-    Osd::Bfr::SurfaceFactory::Options factoryOptions;
-    factoryOptions.SetApproxLevelSmooth(kCoarseLevels);
-    out.coarse_ = std::make_unique<Factory>(*out.refiner_, factoryOptions);
+    const auto factory = [&](int smooth, int sharp) {
+        out.caches_.push_back(patchCache(type, smooth, sharp));
+        Osd::Bfr::SurfaceFactory::Options levels;
+        levels.SetApproxLevelSmooth(smooth);
+        levels.SetApproxLevelSharp(sharp);
+        levels.SetExternalCache(out.caches_.back().get());
+        return std::make_unique<Factory>(*out.refiner_, levels);
+    };
+    out.coarse_ = factory(kCoarseLevels, kSharpLevels);
     // Points of that many rounds of subdivision are then exact beside extraordinary points too.
-    factoryOptions.SetApproxLevelSmooth(std::max(exactLevels, 2));
-    factoryOptions.SetApproxLevelSharp(std::max(exactLevels, 6));
-    out.fine_ = std::make_unique<Factory>(*out.refiner_, factoryOptions);
+    out.fine_ = factory(std::max(exactLevels, 2), std::max(exactLevels, kSharpLevels));
     return out;
 }
 

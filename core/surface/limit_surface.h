@@ -46,6 +46,7 @@ class LimitSurface {
 
     const ControlCage* cage_;
     std::unique_ptr<Refiner> refiner_;
+    std::vector<std::shared_ptr<OpenSubdiv::Bfr::SurfaceFactoryCache>> caches_;
     std::unique_ptr<Factory> fine_;
     std::unique_ptr<Factory> coarse_;
     OpenSubdiv::Bfr::Surface<double> surface_;

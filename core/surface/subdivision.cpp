@@ -9,6 +9,7 @@
 
 #include "core/surface/cage_edges.h"
 #include "core/surface/chord_flips.h"
+#include "core/surface/congruent_faces.h"
 #include "core/surface/flat_parts.h"
 #include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
@@ -105,10 +106,18 @@ class Tessellator {
         const int faces = cage_.mesh.faceCount();
         innerRates_.resize(at(faces));
         std::vector<std::array<int, 2>> stitched(at(faces));
+        constexpr double kSame = 1e-3;  // of the tolerance: no measure of the surface
+        CongruentFaces shapes(cage_, evaluator_.classes(), kSame * options_.tolerance);
+        std::unordered_map<int, FaceRates> measured;
         for (int f = 0; f < faces; ++f) {
-            if (!sample(f)) return noSurface(f);
-            const FaceRates rates =
-                facePieces(evaluator_.parameterization(f), samples_, options_.tolerance);
+            innerRates_[at(f)] = stitched[at(f)] = {1, 1};
+            if (isPlain(f)) continue;
+            const int first = shapes.first(f);
+            FaceRates& rates = measured[first];
+            if (first == f) {
+                if (!sample(f)) return noSurface(f);
+                rates = facePieces(evaluator_.parameterization(f), samples_, options_.tolerance);
+            }
             innerRates_[at(f)] = {whole(rates.inner[0]), whole(rates.inner[1])};
             stitched[at(f)] = {whole(rates.stitched[0]), whole(rates.stitched[1])};
             const auto sides = edges_.of(f);
@@ -121,6 +130,15 @@ class Tessellator {
             if (isStitched(f)) innerRates_[at(f)] = stitched[at(f)];
         }
         return {};
+    }
+
+    /// So flat that there is nothing to measure, and without a crease, whose curve would count.
+    bool isPlain(int f) const {
+        const auto sides = edges_.of(f);
+        const auto hard = [&](int side) { return edges_.sharpness(side) > 0.0F; };
+        constexpr double kNone = 0.02;
+        return std::none_of(sides.begin(), sides.end(), hard) &&
+               evaluator_.inPlane(f, kNone * options_.tolerance);
     }
 
     bool sample(int f) {

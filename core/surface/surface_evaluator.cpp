@@ -45,6 +45,15 @@ Parameterization SurfaceEvaluator::parameterization(int face) const {
             static_cast<int>(cage_.mesh.outline(face).size())};
 }
 
+bool SurfaceEvaluator::inPlane(int face, double distance) const {
+    const Vec3 normal = loopAreaVector(cage_.mesh.points, cage_.mesh.outline(face)).normalized();
+    const Vec3& origin = cage_.mesh.point(cage_.mesh.outline(face)[0]);
+    const auto hull = classes_.hull(face);
+    return std::all_of(hull.begin(), hull.end(), [&](int i) {
+        return std::abs(normal.dot(cage_.mesh.point(i) - origin)) <= distance;
+    });
+}
+
 /// Where the control points of a class are in the hulls of its faces. \pre the face is selected.
 bool SurfaceEvaluator::learn(int face) {
     std::vector<int>& places = control_[at(classes_.of(face))];

@@ -28,6 +28,10 @@ class SurfaceEvaluator {
     const FaceClasses& classes() const { return classes_; }
     OpenSubdiv::Bfr::Parameterization parameterization(int face) const;
 
+    /// All control points of the face are within this distance of its plane, and with them its
+    /// surface.
+    bool inPlane(int face, double distance) const;
+
     /// Chooses the face, the coordinates and the weights that evaluate() speaks of; all of them
     /// must stay until the next call. \param weights  of faces of this class for these coordinates.
     void begin(int face, const std::vector<Vec2>& coords, PointWeights& weights);
