@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/base/tolerance.h"
@@ -33,10 +34,57 @@ std::size_t sharedFirst(std::array<int, 3>& s, std::array<int, 3>& t) {
     return shared;
 }
 
+/// A triangle or, where two of one group make one, a quadrangle.
+struct Part {
+    std::array<int, 4> loop{};  ///< points, counter-clockwise from outside
+    int size = 3;
+    int first = 0;  ///< its triangles, one or two
+    int count = 1;
+
+    std::span<const int> points() const { return {loop.data(), at(size)}; }
+};
+
+/// The quadrangle of two triangles that share a side; false where they do not.
+bool joined(const std::array<int, 3>& s, const std::array<int, 3>& t, std::array<int, 4>& loop) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (s[i] != t[(k + 1) % 3] || s[(i + 1) % 3] != t[k]) continue;
+            loop = {s[i], t[(k + 2) % 3], s[(i + 1) % 3], s[(i + 2) % 3]};
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<Part> partsOf(const std::vector<std::array<int, 3>>& triangles,
+                          const std::vector<int>& group) {
+    std::vector<Part> parts;
+    parts.reserve(triangles.size());
+    const std::size_t n = triangles.size();
+    for (std::size_t t = 0; t < n; ++t) {
+        Part part;
+        part.first = static_cast<int>(t);
+        std::copy(triangles[t].begin(), triangles[t].end(), part.loop.begin());
+        const auto same = [&](std::size_t a, std::size_t b) {
+            return b < n && group[a] >= 0 && group[a] == group[b];
+        };
+        const bool begins = t == 0 || !same(t, t - 1);
+        if (begins && same(t, t + 1) && !same(t, t + 2) &&
+            joined(triangles[t], triangles[t + 1], part.loop)) {
+            part.size = 4;
+            part.count = 2;
+            ++t;
+        }
+        parts.push_back(part);
+    }
+    return parts;
+}
+
 class Finder {
   public:
-    Finder(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles)
-        : points_(points), triangles_(triangles) {
+    Finder(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+           const std::vector<int>& group)
+        : points_(points), triangles_(triangles), parts_(partsOf(triangles, group)) {
         Box3 whole;
         for (const Vec3& p : points) whole.extend(p);
         apart_ = tol::kApartRelative * (whole.isEmpty() ? 0.0 : whole.diagonal().norm());
@@ -51,16 +99,28 @@ class Finder {
 
     BoxTree tree() const {
         std::vector<Box3> boxes;
-        boxes.reserve(triangles_.size());
-        for (const auto& t : triangles_) {
-            Box3 box(point(t[0]));
-            box.extend(point(t[1]));
-            box.extend(point(t[2]));
-            boxes.push_back(box);
+        boxes.reserve(parts_.size());
+        for (const Part& part : parts_) {
+            Box3& box = boxes.emplace_back();
+            for (const int i : part.points()) box.extend(point(i));
         }
         return BoxTree(boxes);
     }
 
+    const Part& part(int index) const { return parts_[at(index)]; }
+
+    /// Calls visit(a, b) for triangles of two parts that meet.
+    template <class Visit>
+    void meetings(const Part& p, const Part& q, Visit&& visit) const {
+        if (areApart(p, q)) return;
+        for (int a = p.first; a < p.first + p.count; ++a) {
+            for (int b = q.first; b < q.first + q.count; ++b) {
+                if (meet(a, b)) visit(a, b);
+            }
+        }
+    }
+
+  private:
     bool meet(int a, int b) const {
         std::array<int, 3> s = triangles_[at(a)];
         std::array<int, 3> t = triangles_[at(b)];
@@ -68,35 +128,76 @@ class Finder {
             case 0:
                 return !separated(corners(s), corners(t), normals_[at(a)], normals_[at(b)]);
             case 1:
-                if (spread_[at(s[0])]) return false;
                 // Most are wholly on one side of the other's plane.
                 if (onOneSide(a, s, t) || onOneSide(b, t, s)) return false;
                 return conesMeet(s, t, normals_[at(a)], normals_[at(b)]);
             case 2:
-                return !spread_[at(s[0])] && !spread_[at(s[1])] && folded(s, t);
+                return folded(s, t);
             default:
                 return true;
         }
     }
 
-  private:
     const Vec3& point(int i) const { return points_[at(i)]; }
     Triangle corners(const std::array<int, 3>& t) const {
         return {point(t[0]), point(t[1]), point(t[2])};
     }
 
-    /// Finds the points whose triangles lie beside each other, without overlap, seen from some
+    /// Finds quickly that two parts meet in no more than the points that they share.
+    bool areApart(const Part& p, const Part& q) const {
+        bool shared = false;
+        for (const int i : p.points()) {
+            for (const int k : q.points()) {
+                if (i != k) continue;
+                if (spread_[at(i)]) return true;
+                shared = true;
+            }
+        }
+        return !shared && (isBeside(p, q) || isBeside(q, p));
+    }
+
+    /// Whether a plane along the first triangle of `p`, or upright on it through a side of `p`, has
+    /// the two on its two sides.
+    bool isBeside(const Part& p, const Part& q) const {
+        const Vec3& normal = normals_[at(p.first)];
+        if (divides(normal, lengths_[at(p.first)], p, q)) return true;
+        for (std::size_t k = 0; k < at(p.size); ++k) {
+            const Vec3 side = point(p.loop[(k + 1) % at(p.size)]) - point(p.loop[k]);
+            const Vec3 axis = normal.cross(side);
+            if (divides(axis, axis.norm(), p, q)) return true;
+        }
+        return false;
+    }
+
+    bool divides(const Vec3& axis, double length, const Part& p, const Part& q) const {
+        if (length <= 0.0) return false;
+        const Vec3& origin = point(p.loop[0]);
+        const auto range = [&](const Part& part) {
+            std::array<double, 2> out{std::numeric_limits<double>::infinity(),
+                                      -std::numeric_limits<double>::infinity()};
+            for (const int i : part.points()) {
+                const double d = axis.dot(point(i) - origin);
+                out = {std::min(out[0], d), std::max(out[1], d)};
+            }
+            return out;
+        };
+        const auto one = range(p);
+        const auto other = range(q);
+        return std::max(one[0] - other[1], other[0] - one[1]) > apart_ * length;
+    }
+
+    /// Finds the points whose parts lie beside each other, without overlap, seen from some
     /// direction: those meet nowhere else.
     void findSpread() {
         std::vector<std::size_t> start(points_.size() + 1, 0);
-        for (const auto& t : triangles_) {
-            for (const int i : t) ++start[at(i) + 1];
+        for (const Part& part : parts_) {
+            for (const int i : part.points()) ++start[at(i) + 1];
         }
         for (std::size_t i = 0; i < points_.size(); ++i) start[i + 1] += start[i];
-        std::vector<int> around(3 * triangles_.size());
+        std::vector<int> around(start.back());
         std::vector<std::size_t> fill(start.begin(), start.end() - 1);
-        for (std::size_t t = 0; t < triangles_.size(); ++t) {
-            for (const int i : triangles_[t]) around[fill[at(i)]++] = static_cast<int>(t);
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            for (const int i : parts_[k].points()) around[fill[at(i)]++] = static_cast<int>(k);
         }
         spread_.resize(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -107,19 +208,33 @@ class Finder {
 
     bool isSpread(int center, std::span<const int> around) const {
         Vec3 axis = Vec3::Zero();
-        for (const int t : around) axis += normals_[at(t)] / lengths_[at(t)];
-        const Vec3 across = axis.unitOrthogonal();
-        const Vec3 up = axis.cross(across);
-        const double least = tol::kSpreadCosine * axis.norm();
+        for (const int k : around) {
+            const int t = parts_[at(k)].first;
+            axis += normals_[at(t)] / lengths_[at(t)];
+        }
+        axis.normalize();
+        const Vec3 up = axis.unitOrthogonal();
+        // Seen along the axis the second one is on the left of the first one.
+        const auto turnsLeft = [&](const Vec3& a, const Vec3& b) {
+            const Vec3 normal = a.cross(b);
+            const double length = normal.norm();
+            return length > tol::kFoldedSine * (a.squaredNorm() + b.squaredNorm()) &&
+                   normal.dot(axis) > tol::kSpreadCosine * length;
+        };
         int turns = 0;
-        for (const int t : around) {
-            const auto& ids = triangles_[at(t)];
-            const std::size_t k = ids[0] == center ? 0 : ids[1] == center ? 1 : 2;
-            const Vec3 one = point(ids[(k + 1) % 3]) - point(center);
-            const Vec3 other = point(ids[(k + 2) % 3]) - point(center);
-            const double sliver = tol::kFoldedSine * (one.squaredNorm() + other.squaredNorm());
-            if (!(lengths_[at(t)] > sliver)) return false;
-            if (!(normals_[at(t)].dot(axis) > least * lengths_[at(t)])) return false;
+        for (const int index : around) {
+            const Part& part = parts_[at(index)];
+            const auto n = at(part.size);
+            const auto k = at(static_cast<int>(
+                std::find(part.loop.begin(), part.loop.end(), center) - part.loop.begin()));
+            const auto to = [&](std::size_t step) -> Vec3 {
+                return point(part.loop[(k + step) % n]) - point(center);
+            };
+            const Vec3 one = to(1);
+            const Vec3 other = to(n - 1);
+            if (!turnsLeft(one, other)) return false;
+            // All of a quadrangle lies between its sides.
+            if (n == 4 && !(turnsLeft(one, to(2)) && turnsLeft(to(2), other))) return false;
             // All turn to the left: they go round as often as one direction lies in them.
             if (up.dot(one) <= 0.0 && up.dot(other) > 0.0) ++turns;
         }
@@ -152,15 +267,16 @@ class Finder {
     /// Separating axes of two triangles, those of coplanar ones included.
     bool separated(const Triangle& s, const Triangle& t, const Vec3& ns, const Vec3& nt) const {
         if (splits(ns, s, t) || splits(nt, s, t)) return true;
+        // Most that are left are neighbours in nearly one plane.
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (splits(ns.cross(s[(i + 1) % 3] - s[i]), s, t)) return true;
+            if (splits(nt.cross(t[(i + 1) % 3] - t[i]), s, t)) return true;
+        }
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3 e = s[(i + 1) % 3] - s[i];
             for (std::size_t k = 0; k < 3; ++k) {
                 if (splits(e.cross(t[(k + 1) % 3] - t[k]), s, t)) return true;
             }
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (splits(ns.cross(s[(i + 1) % 3] - s[i]), s, t)) return true;
-            if (splits(nt.cross(t[(i + 1) % 3] - t[i]), s, t)) return true;
         }
         return false;
     }
@@ -241,6 +357,7 @@ class Finder {
 
     const std::vector<Vec3>& points_;
     const std::vector<std::array<int, 3>>& triangles_;
+    std::vector<Part> parts_;
     std::vector<Vec3> normals_;
     std::vector<double> lengths_;  ///< of the normals
     std::vector<char> spread_;     ///< by point
@@ -253,13 +370,16 @@ std::vector<std::pair<int, int>> selfIntersections(const std::vector<Vec3>& poin
                                                    const std::vector<std::array<int, 3>>& triangles,
                                                    const std::vector<int>& group,
                                                    std::size_t limit) {
-    const Finder finder(points, triangles);
+    const Finder finder(points, triangles, group);
     std::vector<std::pair<int, int>> out;
-    finder.tree().overlappingPairs([&](int a, int b) {
+    finder.tree().overlappingPairs([&](int i, int k) {
         if (out.size() >= limit) return;
-        if (group[at(a)] >= 0 && group[at(a)] == group[at(b)]) return;
-        if (finder.meet(a, b)) out.emplace_back(a, b);
+        const Part& p = finder.part(i);
+        const Part& q = finder.part(k);
+        if (group[at(p.first)] >= 0 && group[at(p.first)] == group[at(q.first)]) return;
+        finder.meetings(p, q, [&](int a, int b) { out.emplace_back(a, b); });
     });
+    if (out.size() > limit) out.resize(limit);
     return out;
 }
 
