@@ -116,15 +116,15 @@ void sketch(ModelMaker& m) {
     // ... whose peak leans back.
     m.lookFrom(78, 35, V(55, 20, 120), 80);
     m.cut(pyramidSpec(V(55, 14, 132), V(55, 24, 132), V(45, 14, 122), V(65, 14, 122)));
-    // A pillar with its spire on either side.
+    // A pillar with its spire on either side, a step in from its rim and from the case.
     m.lookFrom(45, 25, V(90, 17, 50), 105);
     m.add(boxSpec(V(87, 9, 17), V(99, 25, 84)));
     m.lookFrom(40, 30, V(93, 17, 92), 50);
-    m.add(frustumSpec(V(87, 9, 84), V(99, 25, 110), 4, 5.5));
+    m.add(frustumSpec(V(89.5, 11.5, 84), V(96.5, 22.5, 112), 2, 3.5));
     m.lookFrom(135, 25, V(20, 17, 50), 105);
     m.add(boxSpec(V(11, 9, 17), V(23, 25, 84)));
     m.lookFrom(140, 30, V(17, 17, 92), 50);
-    m.add(frustumSpec(V(11, 9, 84), V(23, 25, 110), 4, 5.5));
+    m.add(frustumSpec(V(13.5, 11.5, 84), V(20.5, 22.5, 112), 2, 3.5));
     // The bezel, the dial in it, and the panel below.
     m.lookFrom(47, 24, V(55, 10, 76), 80);
     m.add(boxSpec(V(29, 9, 50), V(81, 14, 102)));
