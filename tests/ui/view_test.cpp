@@ -31,6 +31,27 @@ TEST_F(View, MiddleAndRightButtonOrbit) {
     }
 }
 
+TEST_F(View, ATurningViewMayBeRoughAndIsFineAgainAfterwards) {
+    auto& viewport = window_->viewport();
+    const auto picture = [&] {
+        viewport.setHover(std::nullopt);
+        return viewport.grabFramebuffer();
+    };
+    const QImage before = picture();
+    for (const Qt::KeyboardModifiers held : {Qt::NoModifier, Qt::ShiftModifier}) {
+        modifiers_ = held;
+        press(Hand::Mouse, {300, 300}, Qt::MiddleButton);
+        move(Hand::Mouse, {330, 310}, Qt::MiddleButton);
+        move(Hand::Mouse, {300, 300}, Qt::MiddleButton);
+        const QImage turning = picture();
+        release(Hand::Mouse, {300, 300}, Qt::MiddleButton);
+        EXPECT_EQ(turning.size(), before.size());
+        // The tests have no graphics card.
+        EXPECT_NE(turning, before);
+        EXPECT_EQ(picture(), before);
+    }
+}
+
 TEST_F(View, ShiftWithTheMiddleButtonPansUnderThePointer) {
     const Vec3 grabbed = document().camera().unproject({300, 300});
     modifiers_ = Qt::ShiftModifier;

@@ -10,14 +10,23 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <cmath>
 
 #include "ui/viewport/scene.h"
 
 namespace ew {
 
 namespace {
-constexpr int kSamples = 4;  // antialiasing of edges
+constexpr int kSamples = 4;           // antialiasing of edges
+constexpr double kRoughScale = 0.75;  // px of a rough picture for one of the window
+
+bool isSoftware(QOpenGLContext& context) {
+    const auto* name = context.functions()->glGetString(GL_RENDERER);
+    const QByteArray text(reinterpret_cast<const char*>(name));
+    return text.contains("llvmpipe") || text.contains("softpipe") || text.contains("SWR") ||
+           text.contains("SwiftShader") || text.contains("Software");
 }
+}  // namespace
 
 struct FrameRenderer::Private {
     Scene& scene;
@@ -27,9 +36,26 @@ struct FrameRenderer::Private {
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     vtkNew<vtkCallbackCommand> callback;
     QSize size{1, 1};
+    double devicePixelRatio = 1.0;
+    bool software = false;
+    bool rough = false;
     bool ready = false;
     bool drawing = false;
     bool mustDraw = true;
+
+    QSize drawnSize() const {
+        if (!rough) return size;
+        return QSize(static_cast<int>(std::ceil(size.width() * kRoughScale)),
+                     static_cast<int>(std::ceil(size.height() * kRoughScale)));
+    }
+
+    void applySize() {
+        const QSize drawn = drawnSize();
+        window->SetSize(drawn.width(), drawn.height());
+        window->SetDPI(static_cast<int>(72.0 * devicePixelRatio));
+        scene.setScale(rough ? kRoughScale * devicePixelRatio : devicePixelRatio);
+        mustDraw = true;
+    }
 
     static void onEvent(vtkObject*, unsigned long event, void* client, void* data) {
         auto* self = static_cast<Private*>(client);
@@ -77,6 +103,7 @@ void FrameRenderer::initialise() {
     d.window->OpenGLInitContext();
     d.window->GetState()->Reset();
     d.window->GetState()->vtkglEnable(GL_DEPTH_TEST);
+    d.software = isSoftware(*QOpenGLContext::currentContext());
     d.ready = true;
     d.mustDraw = true;
 }
@@ -84,17 +111,16 @@ void FrameRenderer::initialise() {
 void FrameRenderer::resize(const QSize& devicePixels, double devicePixelRatio) {
     Private& d = *d_;
     d.size = devicePixels.expandedTo({1, 1});
-    d.window->SetSize(d.size.width(), d.size.height());
-    d.window->SetDPI(static_cast<int>(72.0 * devicePixelRatio));
-    d.scene.setScale(devicePixelRatio);
-    d.mustDraw = true;
+    d.devicePixelRatio = devicePixelRatio;
+    d.applySize();
 }
 
-void FrameRenderer::setAntialiased(bool on) {
-    const int samples = on ? kSamples : 0;
-    if (d_->window->GetMultiSamples() == samples) return;
-    d_->window->SetMultiSamples(samples);
-    d_->mustDraw = true;
+void FrameRenderer::setRough(bool on) {
+    on = on && d_->software;
+    if (on == d_->rough) return;
+    d_->rough = on;
+    d_->window->SetMultiSamples(on ? 0 : kSamples);
+    d_->applySize();
 }
 
 void FrameRenderer::render(unsigned framebuffer, bool keepAlpha) {
@@ -120,7 +146,9 @@ void FrameRenderer::render(unsigned framebuffer, bool keepAlpha) {
     gl->glDrawBuffers(1, &target);
     state->vtkglDisable(GL_SCISSOR_TEST);
     gl->glDisable(GL_SCISSOR_TEST);
-    d.window->BlitDisplayFramebuffer(0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const QSize drawn = d.drawnSize();
+    d.window->BlitDisplayFramebuffer(0, 0, 0, drawn.width(), drawn.height(), 0, 0, w, h,
+                                     GL_COLOR_BUFFER_BIT, d.rough ? GL_LINEAR : GL_NEAREST);
     if (!keepAlpha) {
         // Qt composes the widget by its alpha; what VTK left there means nothing.
         gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

@@ -27,8 +27,10 @@ class FrameRenderer {
     void initialise();
     /// \param devicePixels  size of the framebuffer.
     void resize(const QSize& devicePixels, double devicePixelRatio);
-    /// Off: rough edges, for half of the work in software OpenGL.
-    void setAntialiased(bool on);
+    /// Draws rough pictures from now on, or fine ones again: what moves is to move smoothly. Where
+    /// a graphics card does the work it is all the same; in software OpenGL a rough picture has no
+    /// antialiasing and fewer px, which are drawn larger.
+    void setRough(bool on);
     /// Draws into a framebuffer object (0 for the window's own). The scene itself is drawn only if
     /// it changed since the last time; else its last picture is copied.
     /// \param keepAlpha  the framebuffer gets the alpha of the scene, premultiplied; else it is

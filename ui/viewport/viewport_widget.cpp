@@ -65,6 +65,7 @@ struct ViewportWidget::Private {
     bool cage = false;
     std::vector<EdgeRef> chosen;
     std::optional<ShapePreview> preview;
+    bool moving = false;
     bool shownOnce = false;
     double frameMs = 0.0;
 
@@ -175,6 +176,12 @@ std::shared_ptr<const DerivedShape> ViewportWidget::shownShape() const {
     return d_->preview ? d_->preview->shape : d_->document.shape();
 }
 
+void ViewportWidget::setMoving(bool on) {
+    if (on == d_->moving) return;
+    d_->moving = on;
+    update();
+}
+
 void ViewportWidget::setChosenEdges(const std::vector<EdgeRef>& edges) {
     d_->chosen = edges;
     update();
@@ -249,7 +256,7 @@ void ViewportWidget::paintGL() {
     if (d.shapeStale) showShape();
     d.scene.setChosen(d.chosen);
     d.scene.setCamera(resizeCamera(d.document.camera(), width(), height()));
-    d.renderer->setAntialiased(!d.preview || !d.preview->hurried);
+    d.renderer->setRough(d.moving || (d.preview && d.preview->hurried));
     paintStill();
     copyStill();
     QPainter painter(this);

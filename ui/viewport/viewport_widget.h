@@ -15,7 +15,7 @@ class LiveReading;
 /// A shape that is not the document's (yet).
 struct ShapePreview {
     std::shared_ptr<const DerivedShape> shape;
-    bool hurried = false;  ///< drawn without antialiasing: the next one is expected soon
+    bool hurried = false;  ///< the next one is expected soon; drawn roughly where that is faster
 };
 
 /// The drawing surface: the scene by VTK, ink and reading by QPainter on top. Shows a document; it
@@ -44,6 +44,8 @@ class ViewportWidget : public QOpenGLWidget {
     void setPreview(std::optional<ShapePreview> preview);
     /// What is shown: the preview or, without one, the document's own shape.
     std::shared_ptr<const DerivedShape> shownShape() const;
+    /// The view is being turned or moved by hand: frames may be rough till it rests.
+    void setMoving(bool on);
     /// Edges that are marked as chosen.
     void setChosenEdges(const std::vector<EdgeRef>& edges);
 

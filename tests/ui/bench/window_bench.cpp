@@ -125,6 +125,7 @@ void frameWhileOrbiting(benchmark::State& state) {
     window->reading().refreshNow();
     const ew::OrthographicCamera start = window->document().camera();
     PaintCounter counter;
+    window->viewport().setMoving(true);
     int i = 0;
     for (auto _ : state) {
         ew::OrthographicCamera camera = start;
@@ -132,6 +133,7 @@ void frameWhileOrbiting(benchmark::State& state) {
         (void)window->document().setCamera(camera);
         drawFrame();
     }
+    window->viewport().setMoving(false);
     (void)window->document().setCamera(start);
     if (counter.paints < state.iterations()) state.SkipWithError("frames were left out");
 }
