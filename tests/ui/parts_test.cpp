@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QPainter>
+#include <QStyleOption>
 #include <numbers>
 
 #include "ui/dialogs/template_dialog.h"
 #include "ui/theme/colours.h"
+#include "ui/theme/outlined_style.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/ink_layer.h"
 #include "ui/viewport/sketch_plane.h"
@@ -272,6 +274,24 @@ TEST(Colours, TextMeetsWcagAa) {
         EXPECT_GE(contrastRatio(c->bodyEdge, c->body), 4.5);
     }
     EXPECT_NEAR(contrastRatio(Qt::black, Qt::white), 21.0, 1e-9);
+}
+
+TEST(Colours, FieldsAreSeenInTheDark) {
+    const OutlinedStyle style;
+    QStyleOptionButton option;
+    option.rect = QRect(2, 2, 16, 16);
+    option.state = QStyle::State_Enabled | QStyle::State_Off;
+    option.palette.setColor(QPalette::Window, darkColours().window);
+    option.palette.setColor(QPalette::Base, darkColours().surface);
+    option.palette.setColor(QPalette::WindowText, darkColours().text);
+    QImage picture(20, 20, QImage::Format_RGB32);
+    picture.fill(darkColours().window);
+    QPainter painter(&picture);
+    style.drawPrimitive(QStyle::PE_IndicatorCheckBox, &option, &painter, nullptr);
+    painter.end();
+    for (const QPoint& border : {QPoint(10, 2), QPoint(2, 10), QPoint(10, 17), QPoint(17, 10)}) {
+        EXPECT_GE(contrastRatio(picture.pixelColor(border), darkColours().window), 3.0);
+    }
 }
 
 TEST(TemplateDialogIds, AreWellFormed) {

@@ -136,6 +136,10 @@ void SurfacePanel::buildFillet() {
     clamped_->setMaximumHeight(kListHeight);
     clamped_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     clamped_->setWordWrap(true);
+    clamped_->setTextElideMode(Qt::ElideNone);
+    // Lines are broken anew when the scroll bar takes its place.
+    clamped_->setResizeMode(QListView::Adjust);
+    clamped_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     form->addRow(clamped_);
     connect(which_, &QComboBox::activated, this, [this](int index) {
         controller_.selection().setWhich(static_cast<EdgeChoice::Which>(index));

@@ -100,6 +100,10 @@ void SurfacePanel::buildCreases(QFormLayout* form) {
     setCrease_->setToolTip(chosenEdges_->toolTip());
     corners_ = new QCheckBox(tr("Keep sharp c&orners in place"), this);
     corners_->setObjectName(QStringLiteral("cornersSwitch"));
+    // Styles make buttons wider than such a short word needs, and the number has none to spare.
+    const QFontMetrics metrics = setCrease_->fontMetrics();
+    setCrease_->setMaximumWidth(metrics.horizontalAdvance(setCrease_->text()) +
+                                4 * metrics.averageCharWidth());
     auto* row = new QHBoxLayout;
     row->addWidget(chosenEdges_, 1);
     row->addWidget(setCrease_);

@@ -2,7 +2,8 @@
 #include "ui/theme/appearance.h"
 
 #include <QApplication>
-#include <QStyleFactory>
+
+#include "ui/theme/outlined_style.h"
 
 namespace ew {
 
@@ -67,7 +68,7 @@ QString makeStyleSheet(const ThemeColours& c) {
 
 Appearance::Appearance(QObject* parent) : QObject(parent) {
     systemIsDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new OutlinedStyle);
     apply();
 }
 
