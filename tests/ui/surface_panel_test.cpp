@@ -107,6 +107,18 @@ TEST_F(SurfacePanelTest, DraggingTheRadiusShowsItAndLettingGoMakesOneStep) {
     EXPECT_FALSE(document().shape()->hasCage());
 }
 
+TEST_F(SurfacePanelTest, EnterEndsANumberAndAppliesNothing) {
+    auto* radius = find<QDoubleSpinBox>("radiusNumber");
+    const int before = step();
+    radius->setFocus();
+    radius->selectAll();
+    key(Qt::Key_5);
+    key(Qt::Key_Return);
+    surfaceController().settle();
+    EXPECT_EQ(step(), before + 1);
+    EXPECT_NEAR(document().state().surface.radius({0, 0}), 5.0, 1e-9);
+}
+
 TEST_F(SurfacePanelTest, ADragThatIsTooSlowIsShownCoarserUntilItRests) {
     SubdivisionSettings fine;
     fine.on = true;

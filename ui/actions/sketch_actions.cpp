@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/sketch_actions.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
 #include <QMenu>
 
 #include "ui/apply_controller.h"
@@ -22,6 +25,7 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
       window_(window),
       templateAction_(
           new QAction(themedIcon("add-template"), tr("Add solid as &template\u2026"), this)) {
+    window->installEventFilter(this);
     applyAction->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
     applyAction->setToolTip(tr("Make a solid of the drawing (Enter)"));
     automaticAction->setCheckable(true);
@@ -47,6 +51,19 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
         if (what == DocumentChange::Bodies) refresh();
     });
     refresh();
+}
+
+/// Enter ends what is typed into a number; it is the key of Apply elsewhere.
+bool SketchActions::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget()) != nullptr) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            event->accept();
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void SketchActions::fill(QMenu* menu) {

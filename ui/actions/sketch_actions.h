@@ -26,6 +26,9 @@ class SketchActions : public QObject {
     QAction* automaticAction;
     QList<QAction*> readingActions;  ///< keys 1 to 9
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     void refresh();
 
