@@ -1542,8 +1542,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>%1 Kanten</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
+        <source>auto</source>
+        <translation>auto</translation>
     </message>
     <message>
         <source>Smooth surface</source>

@@ -71,6 +71,9 @@ MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWind
 
 // The viewport releases its OpenGL context while the document still lives.
 MainWindow::~MainWindow() {
+    // A number that is half typed is told when the field loses the focus, while there is a document.
+    endTyping();
+    hide();
     delete tools_;
     surface_->settle();
     delete takeCentralWidget();
@@ -262,7 +265,13 @@ QPixmap MainWindow::picture() {
     return picture;
 }
 
+void MainWindow::endTyping() {
+    if (QWidget* field = focusWidget()) field->clearFocus();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+    endTyping();
+    surface_->settle();
     if (!files_->mayDiscard()) {
         event->ignore();
         return;

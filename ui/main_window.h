@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    /// What is typed into a field counts.
+    void endTyping();
     void buildCentre();
     void connectSurface();
     void buildActions();

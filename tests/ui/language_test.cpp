@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window in German.
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
@@ -205,7 +206,7 @@ TEST(CoreText, IsEnglishInEnglish) {
     }
 }
 
-/// Texts of buttons and labels that get less room than they ask for.
+/// Texts of buttons, labels and numbers that get less room than they ask for.
 QStringList cutOff(const QWidget& window) {
     QStringList found;
     for (const QWidget* w : window.findChildren<QWidget*>()) {
@@ -217,6 +218,7 @@ QStringList cutOff(const QWidget& window) {
             if (label->wordWrap() && w->height() < label->heightForWidth(w->width())) found << text;
             if (label->wordWrap()) continue;
         }
+        if (const auto* number = qobject_cast<const QAbstractSpinBox*>(w)) text = number->text();
         if (!text.isEmpty() && w->width() < w->sizeHint().width()) found << text;
     }
     return found;

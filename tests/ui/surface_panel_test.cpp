@@ -119,6 +119,15 @@ TEST_F(SurfacePanelTest, EnterEndsANumberAndAppliesNothing) {
     EXPECT_NEAR(document().state().surface.radius({0, 0}), 5.0, 1e-9);
 }
 
+TEST_F(SurfacePanelTest, AWindowMayGoAwayWhileANumberIsTyped) {
+    auto* radius = find<QDoubleSpinBox>("radiusNumber");
+    radius->setFocus();
+    radius->selectAll();
+    key(Qt::Key_5);
+    EXPECT_FALSE(document().state().surface.hasFillet());
+    window_.reset();  // commits to a document that is still there
+}
+
 TEST_F(SurfacePanelTest, ADragThatIsTooSlowIsShownCoarserUntilItRests) {
     SubdivisionSettings fine;
     fine.on = true;

@@ -78,7 +78,7 @@ class SurfacePanel : public QWidget {
     QDoubleSpinBox* tolerance_ = nullptr;
     QDoubleSpinBox* otherEdges_ = nullptr;
     QDoubleSpinBox* chosenEdges_ = nullptr;
-    QPushButton* setCrease_ = nullptr;
+    QToolButton* setCrease_ = nullptr;
     QCheckBox* corners_ = nullptr;
     QCheckBox* cage_ = nullptr;
     QSpinBox* memory_ = nullptr;

@@ -28,13 +28,13 @@ constexpr int kMostMemoryMb = 65536;
 constexpr double kDefaultTolerance = 0.05;
 constexpr int kSwatchPx = 16;
 
-/// 0 to 10, with "automatic" below.
+/// 0 to 10, with "auto" below.
 QDoubleSpinBox* sharpnessBox(QWidget* parent, const QString& explanation) {
     auto* box = new QDoubleSpinBox(parent);
     box->setRange(-0.5, kInfiniteSharpness);
     box->setSingleStep(0.5);
     box->setDecimals(1);
-    box->setSpecialValueText(SurfacePanel::tr("automatic"));
+    box->setSpecialValueText(SurfacePanel::tr("auto"));
     box->setValue(-0.5);
     box->setKeyboardTracking(false);
     box->setToolTip(explanation);
@@ -95,15 +95,13 @@ void SurfacePanel::buildCreases(QFormLayout* form) {
     otherEdges_->setObjectName(QStringLiteral("sharpnessNumber"));
     chosenEdges_ = sharpnessBox(this, tr("A sharpness of its own for the edges chosen above."));
     chosenEdges_->setObjectName(QStringLiteral("creaseNumber"));
-    setCrease_ = new QPushButton(tr("Set"), this);
+    // Not a push button: styles make these wider than a short word needs.
+    setCrease_ = new QToolButton(this);
+    setCrease_->setText(tr("Set"));
     setCrease_->setObjectName(QStringLiteral("creaseButton"));
     setCrease_->setToolTip(chosenEdges_->toolTip());
     corners_ = new QCheckBox(tr("Keep sharp c&orners in place"), this);
     corners_->setObjectName(QStringLiteral("cornersSwitch"));
-    // Styles make buttons wider than such a short word needs, and the number has none to spare.
-    const QFontMetrics metrics = setCrease_->fontMetrics();
-    setCrease_->setMaximumWidth(metrics.horizontalAdvance(setCrease_->text()) +
-                                4 * metrics.averageCharWidth());
     auto* row = new QHBoxLayout;
     row->addWidget(chosenEdges_, 1);
     row->addWidget(setCrease_);
