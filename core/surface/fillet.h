@@ -66,7 +66,9 @@ struct FilletedCage {
 /// a strip of `segments` flat quadrangles whose sides lie in its two faces, parallel to the edge at
 /// the setback; where chosen edges meet, the corner becomes one flat face or a patch of faces, and
 /// where a strip ends among unchosen edges, it runs into the face that it meets or ends in a flat
-/// face. Unchosen edges stay on their lines and planar faces in their planes.
+/// face. With more than one segment, two strips go round the end of a third one that is of the
+/// other kind (convex, concave) or has the largest setback, and the face between them is rounded.
+/// Unchosen edges stay on their lines and planar faces in their planes.
 ///
 /// Setbacks that do not fit are clamped edge by edge, in the manner of water filling: all grow from
 /// zero at one rate, and an edge stops where it would use up an edge or run into another one of the

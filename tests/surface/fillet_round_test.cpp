@@ -45,6 +45,15 @@ FilletOptions byAxis(const Solid& solid, const Vec3& setbacks, int segments) {
     return options;
 }
 
+/// A fillet that fits.
+FilletedCage fitting(const Solid& solid, const FilletOptions& options) {
+    auto cage = fillet(solid, options);
+    EXPECT_TRUE(cage);
+    EXPECT_TRUE(cage->clamped.empty());
+    EXPECT_EQ(faultsByExactArithmetic(*cage), "");
+    return *std::move(cage);
+}
+
 /// Distance of a point from the middle circle of a torus around a vertical axis.
 double fromCircle(const Vec3& p, const Vec3& center, double radius) {
     const Vec3 d = p - center;
@@ -56,11 +65,8 @@ TEST(FilletRound, TheEndOfANotchIsPartOfATorus) {
     const Solid solid = solidOf(lPrismSpec());
     const double s = 0.2;
     const double notch = 0.3;
-    const auto cage = fillet(solid, byAxis(solid, {s, notch, s}, 8));
-    ASSERT_TRUE(cage);
-    EXPECT_TRUE(cage->clamped.empty());
-    EXPECT_EQ(faultsByExactArithmetic(*cage), "");
-    const auto points = cornerPoints(*cage, vertexAt(solid, {1, 0, 1}));
+    const FilletedCage cage = fitting(solid, byAxis(solid, {s, notch, s}, 8));
+    const auto points = cornerPoints(cage, vertexAt(solid, {1, 0, 1}));
     ASSERT_EQ(points.size(), 4U * 8U * 8U);
     const Vec3 center(1 + notch, 1 + notch, s);  // x, z, and y as the height
     for (const Vec3& p : points) {
@@ -73,10 +79,7 @@ TEST(FilletRound, TheFootOfABossIsPartOfATorus) {
     const auto box = solid.bounds();
     const double s = 0.05 * (box[1] - box[0]).minCoeff();
     const double upright = 1.5 * s;
-    const auto cage = fillet(solid, byAxis(solid, {s, s, upright}, 6));
-    ASSERT_TRUE(cage);
-    EXPECT_TRUE(cage->clamped.empty());
-    EXPECT_EQ(faultsByExactArithmetic(*cage), "");
+    const FilletedCage cage = fitting(solid, byAxis(solid, {s, s, upright}, 6));
     int feet = 0;
     for (std::size_t v = 0; v < solid.vertices().size(); ++v) {
         const auto concave =
@@ -92,7 +95,7 @@ TEST(FilletRound, TheFootOfABossIsPartOfATorus) {
         axis.x() += upright * (middle.x() > foot.x() ? 1.0 : -1.0);
         axis.y() += upright * (middle.y() > foot.y() ? 1.0 : -1.0);
         axis.z() += s;
-        for (const Vec3& p : cornerPoints(*cage, static_cast<int>(v))) {
+        for (const Vec3& p : cornerPoints(cage, static_cast<int>(v))) {
             EXPECT_NEAR(fromCircle(p, axis, upright + s), s, 1e-9);
         }
     }
@@ -104,14 +107,11 @@ TEST(FilletRound, ABoxWithRounderUprightsIsTheRollingBalls) {
     const Solid box = solidOf(boxSpec({0, 0, 0}, size));
     const double s = 0.2;
     const double upright = 0.7;
-    const auto cage = fillet(box, byAxis(box, {s, s, upright}, 16));
-    ASSERT_TRUE(cage);
-    EXPECT_TRUE(cage->clamped.empty());
-    EXPECT_EQ(faultsByExactArithmetic(*cage), "");
+    const FilletedCage cage = fitting(box, byAxis(box, {s, s, upright}, 16));
     for (const double x : {0.0, size.x()}) {
         for (const double z : {0.0, size.z()}) {
             const Vec3 center(x > 0 ? x - upright : upright, upright, z > 0 ? z - s : s);
-            for (const Vec3& p : cornerPoints(*cage, vertexAt(box, {x, 0, z}))) {
+            for (const Vec3& p : cornerPoints(cage, vertexAt(box, {x, 0, z}))) {
                 EXPECT_NEAR(fromCircle(p, center, upright - s), s, 1e-9);
             }
         }
@@ -124,7 +124,7 @@ TEST(FilletRound, ABoxWithRounderUprightsIsTheRollingBalls) {
     const double inwards = s * s * (1 - pi / 4);
     const double squares = s * s * s * (2 - pi / 2 - 1.0 / 3.0);
     const double exact = area * size.z() - 2 * outline * inwards + 2 * pi * squares;
-    EXPECT_NEAR(volumeOf(*cage) / exact, 1.0, 1e-3);
+    EXPECT_NEAR(volumeOf(cage) / exact, 1.0, 1e-3);
 }
 
 RC_GTEST_PROP(FilletRound, AnyThreeSetbacksOfABoxFit, ()) {

@@ -2,31 +2,18 @@
 #include "ui/tools/orbit_tool.h"
 
 #include "ui/viewport/camera_moves.h"
-#include "ui/viewport/viewport_widget.h"
 
 namespace ew {
 
 void OrbitTool::begin(const PenEvent& event) {
-    context_.viewport.setMoving(true);
-    before_ = context_.document.camera();
-    start_ = event.position;
     Eigen::AlignedBox3d box;
-    for (const Vec3& p : bodyPoints(context_.document.state().bodies)) box.extend(p);
-    pivot_ = box.isEmpty() ? before_.center : Vec3(box.center());
+    for (const Vec3& p : bodyPoints(document().state().bodies)) box.extend(p);
+    pivot_ = box.isEmpty() ? document().camera().center : Vec3(box.center());
+    ViewTool::begin(event);
 }
 
-void OrbitTool::update(const PenEvent& event) {
-    (void)context_.document.setCamera(orbitCamera(before_, event.position - start_, pivot_));
-}
-
-void OrbitTool::end(const PenEvent& event) {
-    update(event);
-    context_.viewport.setMoving(false);
-}
-
-void OrbitTool::cancel() {
-    (void)context_.document.setCamera(before_);
-    context_.viewport.setMoving(false);
+OrthographicCamera OrbitTool::moved(const OrthographicCamera& before, const Vec2& by) const {
+    return orbitCamera(before, by, pivot_);
 }
 
 }  // namespace ew

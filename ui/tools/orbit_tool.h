@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/tool.h"
+#include "ui/tools/view_tool.h"
 
 namespace ew {
 
 /// Turns the view about the middle of the bodies, or of the viewport where there are none.
-class OrbitTool : public Tool {
+class OrbitTool : public ViewTool {
   public:
-    explicit OrbitTool(ToolContext context) : context_(std::move(context)) {}
+    using ViewTool::ViewTool;
 
     void begin(const PenEvent& event) override;
-    void update(const PenEvent& event) override;
-    void end(const PenEvent& event) override;
-    void cancel() override;
+
+  protected:
+    OrthographicCamera moved(const OrthographicCamera& before, const Vec2& by) const override;
 
   private:
-    ToolContext context_;
-    OrthographicCamera before_;
     Vec3 pivot_ = Vec3::Zero();
-    Vec2 start_ = Vec2::Zero();
 };
 
 }  // namespace ew

@@ -18,7 +18,7 @@ namespace ew {
 
 namespace {
 constexpr int kSamples = 4;           // antialiasing of edges
-constexpr double kRoughScale = 0.75;  // px of a rough picture for one of the window
+constexpr double kRoughScale = 0.6;  // px of a rough picture for one of the window
 
 bool isSoftware(QOpenGLContext& context) {
     const auto* name = context.functions()->glGetString(GL_RENDERER);

@@ -201,6 +201,48 @@ BENCHMARK(radiusDrag)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(100);
 
+/// The same drag as a hand makes it: radii come at the pace of a mouse, the worker derives while
+/// the window draws. What counts is how many new shapes are seen in a second; limit: 30.
+void radiusDragLive(benchmark::State& state) {
+    if (!openExample("printer.json")) {
+        state.SkipWithError("the example does not replay");
+        return;
+    }
+    QApplication::processEvents();
+    const ew::SurfaceSettings settings = window->document().state().surface;
+    const double radius = settings.radius({0, 0});
+    ew::SurfaceController& surface = window->surface();
+    int i = 0;
+    int shown = 0;
+    constexpr int kMouseMs = 8;
+    QTimer hand;
+    hand.setInterval(kMouseMs);
+    QObject::connect(&hand, &QTimer::timeout, [&] {
+        surface.previewFillet(radius * (0.5 + 0.0005 * ++i), settings.segments);
+    });
+    std::shared_ptr<const ew::DerivedShape> last;
+    QObject::connect(&window->viewport(), &QOpenGLWidget::frameSwapped, &hand, [&] {
+        shown += last != window->viewport().shownShape() ? 1 : 0;
+        last = window->viewport().shownShape();
+    });
+    hand.start();
+    QElapsedTimer clock;
+    const auto runFor = [&](int ms) {
+        for (clock.start(); clock.elapsed() < ms;) QApplication::processEvents();
+    };
+    constexpr int kWarmUpMs = 1000;
+    runFor(kWarmUpMs);
+    shown = 0;
+    constexpr int kMs = 4000;
+    for (auto _ : state) runFor(kMs);
+    hand.stop();
+    surface.settle();
+    state.counters["shapes_a_second"] = 1000.0 * shown / kMs;
+    window->document().reset();
+    QApplication::processEvents();
+}
+BENCHMARK(radiusDragLive)->Unit(benchmark::kMillisecond)->Iterations(1);
+
 /// From starting the program to its first picture, loading of libraries included.
 void startToFirstFrame(benchmark::State& state) {
     for (auto _ : state) {
