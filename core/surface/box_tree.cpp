@@ -30,10 +30,12 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes) {
 
 BoxTree::Bounds BoxTree::boundsOf(const Box3& box) {
     constexpr float kFar = std::numeric_limits<float>::infinity();
+    constexpr double kMost = std::numeric_limits<float>::max();
+    const auto single = [=](double x) { return static_cast<float>(std::clamp(x, -kMost, kMost)); };
     Bounds out;
     for (int k = 0; k < 3; ++k) {
-        out.low[at(k)] = std::nextafter(static_cast<float>(box.min()[k]), -kFar);
-        out.high[at(k)] = std::nextafter(static_cast<float>(box.max()[k]), kFar);
+        out.low[at(k)] = std::nextafter(single(box.min()[k]), -kFar);
+        out.high[at(k)] = std::nextafter(single(box.max()[k]), kFar);
     }
     return out;
 }
