@@ -3,18 +3,16 @@
 
 #include <cmath>
 
+#include "core/surface/key_hash.h"
+
 namespace ew {
-namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
-void CongruentFaces::describe(int face) {
+bool CongruentFaces::describe(int face) {
     const auto outline = mesh_.outline(face);
     const Vec3& origin = mesh_.point(outline[0]);
     const Vec3 x = (mesh_.point(outline[1]) - origin).normalized();
     const Vec3 across = loopAreaVector(mesh_.points, outline);
+    if (across.isZero(0.0)) return false;
     const Vec3 z = (across - x * x.dot(across)).normalized();
     const Vec3 y = z.cross(x);
     shape_.clear();
@@ -26,24 +24,16 @@ void CongruentFaces::describe(int face) {
         add(y.dot(d));
         add(z.dot(d));
     }
+    return true;
 }
 
 int CongruentFaces::first(int face) {
-    // A face whose frame is none is like no other.
-    if (loopAreaVector(mesh_.points, mesh_.outline(face)).isZero(0.0)) return face;
-    describe(face);
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const std::int64_t s : shape_) {
-        hash = (hash ^ static_cast<std::uint64_t>(s)) * 0x9e3779b97f4a7c15ULL;
-        hash ^= hash >> 29U;
-    }
-    const auto [it, isNew] = byHash_.try_emplace(hash, face);
-    if (isNew) {
-        shapes_.emplace(face, shape_);
-        return face;
-    }
+    if (!describe(face)) return face;
+    const auto [it, isNew] = byHash_.try_emplace(keyHash(shape_));
+    Known& known = it->second;
+    if (isNew) known = {face, shape_};
     // Another shape of the same hash: so rare that not to know it does no harm.
-    return shapes_.at(it->second) == shape_ ? it->second : face;
+    return known.shape == shape_ ? known.face : face;
 }
 
 }  // namespace ew

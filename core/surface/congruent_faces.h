@@ -23,14 +23,18 @@ class CongruentFaces {
     int first(int face);
 
   private:
-    void describe(int face);
+    struct Known {
+        int face = -1;
+        std::vector<std::int64_t> shape;
+    };
+    /// False where the face has no area, and so no frame: it is like no other.
+    bool describe(int face);
 
     const PolyMesh& mesh_;
     const FaceClasses& classes_;
     double precision_;
     std::vector<std::int64_t> shape_;  ///< of the face under way: control points in its own frame
-    std::unordered_map<std::uint64_t, int> byHash_;
-    std::unordered_map<int, std::vector<std::int64_t>> shapes_;
+    std::unordered_map<std::uint64_t, Known> byHash_;
 };
 
 }  // namespace ew

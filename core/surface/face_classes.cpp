@@ -3,19 +3,12 @@
 
 #include <bit>
 
+#include "core/surface/key_hash.h"
+
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-std::uint64_t hashOf(const std::vector<std::uint32_t>& key) {
-    std::uint64_t h = 0xcbf29ce484222325ULL;
-    for (const std::uint32_t k : key) {
-        h = (h ^ k) * 0x9e3779b97f4a7c15ULL;
-        h ^= h >> 29U;
-    }
-    return h;
-}
 
 }  // namespace
 
@@ -74,7 +67,7 @@ void FaceClasses::describe(int face) {
 }
 
 int FaceClasses::classify() {
-    for (std::uint64_t hash = hashOf(key_);; ++hash) {
+    for (std::uint64_t hash = keyHash(key_);; ++hash) {
         const auto [it, isNew] = byHash_.try_emplace(hash, count());
         if (isNew) {
             keys_.push_back(key_);

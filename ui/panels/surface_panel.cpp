@@ -84,8 +84,6 @@ void SurfacePanel::keepNarrow() {
         button->setMinimumWidth(0);
         button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }
-    // It shares its row with a number, which would leave it nothing.
-    setCrease_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
 QFormLayout* SurfacePanel::addGroup(const QString& title) {

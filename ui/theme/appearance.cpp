@@ -67,7 +67,7 @@ QString makeStyleSheet(const ThemeColours& c) {
 }  // namespace
 
 Appearance::Appearance(QObject* parent) : QObject(parent) {
-    systemIsDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
+    systemIsDark_ = isDark(QApplication::palette().color(QPalette::Window));
     QApplication::setStyle(new OutlinedStyle);
     apply();
 }

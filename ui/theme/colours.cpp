@@ -90,6 +90,8 @@ const ThemeColours& darkColours() {
     return kColours;
 }
 
+bool isDark(const QColor& background) { return background.lightness() < 128; }
+
 double contrastRatio(const QColor& a, const QColor& b) {
     const double la = luminance(a);
     const double lb = luminance(b);

@@ -45,6 +45,9 @@ const ThemeColours& darkColours();
 /// Contrast of two opaque colours as WCAG 2.1 defines it, 1..21.
 double contrastRatio(const QColor& a, const QColor& b);
 
+/// Is a background so dark that what is on it has to be light?
+bool isDark(const QColor& background);
+
 /// a and b mixed; t = 0 gives a, 1 gives b.
 QColor mixColours(const QColor& a, const QColor& b, double t);
 

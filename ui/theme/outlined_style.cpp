@@ -11,8 +11,7 @@ namespace {
 
 void outline(const QStyleOption& option, QPainter& painter) {
     const QColor window = option.palette.color(QPalette::Window);
-    constexpr int kDark = 128;
-    if (window.lightness() >= kDark) return;
+    if (!isDark(window)) return;
     // Fusion itself marks the field that has the focus.
     const bool focused = option.state.testFlag(QStyle::State_HasFocus) &&
                          option.state.testFlag(QStyle::State_Enabled);
