@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window. Usage: edgewright [FILE] [--language de|en] [--theme light|dark] [--size WxH]
-// [--screenshot FILE.png]
+// [--screenshot FILE.png]. Exit 0: ended by the person, or the picture is there; 2: the arguments
+// or the file are unusable, there is no display, or the picture cannot be written.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -8,6 +9,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <cstdio>
+#include <optional>
 
 #include "core/document/replay_arguments.h"
 #include "core/document/resources.h"
@@ -17,6 +19,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/message_bar.h"
 #include "ui/theme/appearance.h"
+#include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace {
@@ -30,13 +33,14 @@ struct Arguments {
     bool firstFrame = false;
 };
 
+constexpr int kUnusable = 2;
+
 int complain(const std::string& message) {
     std::fprintf(stderr, "edgewright: %s\n", message.c_str());
-    return 2;
+    return kUnusable;
 }
 
-ew::Result<Arguments> readArguments() {
-    QCommandLineParser parser;
+void describe(QCommandLineParser& parser) {
     // Read before the language is known, so this is English like the messages on the terminal.
     parser.setApplicationDescription("Turns pen strokes into solids.");
     parser.addHelpOption();
@@ -48,7 +52,25 @@ ew::Result<Arguments> readArguments() {
     parser.addOption({"size", "Size of the window.", "WxH"});
     parser.addOption({"screenshot", "Write a picture of the window, then quit.", "FILE.png"});
     parser.addOption({"first-frame", "Print the time to the first picture [ms], then quit."});
-    parser.process(*qApp);
+}
+
+/// Answers --help and --version.
+int sayWords(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    ew::nameProgram();
+    QCommandLineParser parser;
+    describe(parser);
+    parser.parse(QCoreApplication::arguments());
+    if (parser.isSet("version")) parser.showVersion();
+    parser.showHelp();
+}
+
+ew::Result<Arguments> readArguments() {
+    QCommandLineParser parser;
+    describe(parser);
+    if (!parser.parse(QCoreApplication::arguments())) {
+        return ew::fail(ew::Errc::UnknownKey, parser.errorText().toStdString());
+    }
     Arguments arguments;
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1) return ew::fail(ew::Errc::BadValue, "Only one file can be opened.");
@@ -70,20 +92,20 @@ ew::Result<Arguments> readArguments() {
 }
 
 /// Grabs the window once its first picture stands and quits; exit code 2 where it cannot be
-/// written.
-void quitAfterScreenshot(ew::MainWindow& window, const QString& path) {
-    QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window, [&window, path] {
-        window.reading().refreshNow();
-        window.reading().settleNow();
-        // One turn of the event loop for the panels that follow the reading.
-        QTimer::singleShot(0, &window, [&window, path] {
-            QCoreApplication::processEvents();
-            QCoreApplication::processEvents();  // layouts ask for a second turn
-            const bool written = window.picture().save(path, "PNG");
-            if (!written) complain("The picture cannot be written to " + path.toStdString() + ".");
-            QCoreApplication::exit(written ? 0 : 2);
+/// written. \param status  the exit code else; it is read then.
+void quitAfterScreenshot(ew::MainWindow& window, const QString& path, const int& status) {
+    QObject::connect(
+        &window.viewport(), &ew::ViewportWidget::firstFrame, &window, [&window, &status, path] {
+            window.reading().refreshNow();
+            window.reading().settleNow();
+            // One turn of the event loop for the panels that follow the reading.
+            QTimer::singleShot(0, &window, [&window, &status, path] {
+                QCoreApplication::processEvents();
+                QCoreApplication::processEvents();  // layouts ask for a second turn
+                const auto written = ew::writePicture(window.picture().toImage(), path);
+                QCoreApplication::exit(written ? status : complain(written.error().message));
+            });
         });
-    });
 }
 
 }  // namespace
@@ -91,8 +113,11 @@ void quitAfterScreenshot(ew::MainWindow& window, const QString& path) {
 int main(int argc, char** argv) {
     QElapsedTimer clock;
     clock.start();
+    if (ew::asksForWords(argc, argv)) return sayWords(argc, argv);
     ew::prepareApplication();
+    auto guard = std::make_optional<ew::DisplayGuard>("edgewright");
     QApplication application(argc, argv);
+    guard.reset();
     ew::nameApplication();
     const auto arguments = readArguments();
     if (!arguments) return complain(arguments.error().message);
@@ -111,14 +136,21 @@ int main(int argc, char** argv) {
     ew::MainWindow window(load->library, appearance, options);
     if (arguments->size.isValid()) window.resize(arguments->size);
     if (!load->problems.empty()) window.messages().showError(load->problems.front());
-    if (!arguments->screenshot.isEmpty()) quitAfterScreenshot(window, arguments->screenshot);
+    int status = 0;
+    if (!arguments->screenshot.isEmpty()) {
+        quitAfterScreenshot(window, arguments->screenshot, status);
+    }
     if (arguments->firstFrame) {
-        QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window, [&clock] {
-            std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
-            QCoreApplication::quit();
-        });
+        QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window,
+                         [&clock, &status] {
+                             std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
+                             QCoreApplication::exit(status);
+                         });
     }
     window.show();
-    if (!arguments->file.isEmpty()) window.files().openPath(arguments->file);
+    if (!arguments->file.isEmpty() && !window.files().openPath(arguments->file)) {
+        // A person sees it in the window; for a picture that nobody is there for, it is said here.
+        if (!options.remember) status = complain(window.messages().text().toStdString());
+    }
     return QApplication::exec();
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/screenshot_process.h"
+#include "core/document/file_names.h"
 #include "core/document/replay.h"
 #include "core/document/replay_arguments.h"
 #include "core/document/report.h"
@@ -38,6 +39,8 @@ ew::Result<ew::TemplateLibrary> templates(const ew::ReplayArguments& arguments) 
 ew::Result<ew::SketchScript> readScript(const ew::ReplayArguments& arguments) {
     auto text = ew::readFileBytes(arguments.script, ew::kMaxScriptBytes);
     if (!text) return ew::fail(text.error());
+    const std::string name = QFileInfo(arguments.script).fileName().toStdString();
+    if (auto ok = ew::refuseOtherKinds(name, *text); !ok) return ew::fail(ok.error());
     auto script = ew::readSketchScript(*text);
     if (!script || arguments.until.isEmpty()) return script;
     const auto end = ew::findStep(*script, arguments.until.toStdString());
@@ -88,9 +91,10 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
     }
     const bool failedBefore = report.firstFailure() != nullptr;
     for (const QString& name : arguments.exports) {
-        auto ok = document.exportTo(here.absoluteFilePath(name));
-        const bool noNews = !ok && ok.error().code == ew::Errc::NoSolid && failedBefore;
-        if (!ok && !noNews) return ok;
+        const auto note = document.exportTo(here.absoluteFilePath(name), arguments.faces);
+        if (note && !note->empty()) std::printf("%s: %s\n", qPrintable(name), note->c_str());
+        const bool noNews = !note && note.error().code == ew::Errc::NoSolid && failedBefore;
+        if (!note && !noNews) return ew::fail(note.error());
     }
     if (!arguments.screenshot.isEmpty()) {
         const auto& camera = document.camera();
@@ -117,6 +121,7 @@ int run(const ew::ReplayArguments& arguments) {
     options.scriptFolder = QFileInfo(arguments.script).absolutePath();
     options.outFolder = arguments.outFolder;
     options.keepGoing = arguments.keepGoing;
+    options.allowOutside = arguments.allowOutside;
     const ew::ReplayReport report =
         ew::replay(document, *script, options, [](const ew::StepReport& step) {
             tell(step);
@@ -133,6 +138,10 @@ int run(const ew::ReplayArguments& arguments) {
     if (auto ok = writeFiles(document, arguments, report); !ok) {
         const int status = unusable(ok.error());
         return ok.error().code == ew::Errc::NoSolid ? kStepFailed : status;
+    }
+    // What was told may have gone to a file on a full disk.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        return unusable({ew::Errc::CannotWrite, "What was done could not be told on stdout.", {}});
     }
     return failed == nullptr ? kDone : kStepFailed;
 }

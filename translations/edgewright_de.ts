@@ -236,6 +236,106 @@
         <translation>Im Inneren des Körpers wird ein Hohlraum eingeschlossen.</translation>
     </message>
     <message>
+        <source>The file %1 could not be written: %2.</source>
+        <translation>Die Datei %1 konnte nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>A document cannot be called %1: files that end in .json are sketch scripts.</source>
+        <translation>Ein Dokument kann nicht %1 heißen: Dateien mit der Endung .json sind Zeichenskripte.</translation>
+    </message>
+    <message>
+        <source>%1 is no Edgewright document or sketch script: it holds %2.</source>
+        <translation>%1 ist weder ein Edgewright-Dokument noch ein Zeichenskript; der Inhalt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than %2 MiB.</source>
+        <translation>%1 ist größer als %2 MiB.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file.</source>
+        <translation>%1 ist ein Ordner und keine Datei.</translation>
+    </message>
+    <message>
+        <source>The solid lies too far out to be written to a mesh file.</source>
+        <translation>Der Körper liegt zu weit draußen, um in eine Netzdatei geschrieben zu werden.</translation>
+    </message>
+    <message>
+        <source>The bodies lie too far apart for the single precision of STL; export them as OBJ, 3MF or glTF.</source>
+        <translation>Die Körper liegen zu weit auseinander für die einfache Genauigkeit von STL; OBJ, 3MF und glTF können sie halten.</translation>
+    </message>
+    <message>
+        <source>It lies far out: in the file, the origin is at %1 mm.</source>
+        <translation>Er liegt weit draußen: In der Datei ist der Ursprung bei %1 mm.</translation>
+    </message>
+    <message>
+        <source>there is no room left on the disk</source>
+        <translation>auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>ihren Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>sie ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it may not be changed</source>
+        <translation>sie darf nicht geändert werden</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>ihr Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a ZIP package, as 3MF files are</source>
+        <translation>ein ZIP-Paket, wie 3MF-Dateien es sind</translation>
+    </message>
+    <message>
+        <source>a glTF mesh</source>
+        <translation>ein glTF-Netz</translation>
+    </message>
+    <message>
+        <source>a PLY mesh</source>
+        <translation>ein PLY-Netz</translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation>ein STL-Netz</translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation>ein OBJ-Netz</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>ein STEP-Modell</translation>
+    </message>
+    <message>
+        <source>XML text, as SVG files are</source>
+        <translation>XML-Text, wie SVG-Dateien ihn enthalten</translation>
+    </message>
+    <message>
+        <source>text of another kind</source>
+        <translation>Text anderer Art</translation>
+    </message>
+    <message>
+        <source>data of another kind</source>
+        <translation>Daten anderer Art</translation>
+    </message>
+    <message>
         <source>Join these ends</source>
         <translation>Diese Enden verbinden</translation>
     </message>
@@ -1091,6 +1191,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Wavefront OBJ (*.obj);;STL, binary (*.stl);;PLY (*.ply);;glTF, binary (*.glb);;3MF (*.3mf)</source>
         <translation>Wavefront OBJ (*.obj);;STL, binär (*.stl);;PLY (*.ply);;glTF, binär (*.glb);;3MF (*.3mf)</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Replacing it loses these changes.</source>
+        <translation>%1 wurde von einem anderen Fenster oder Programm geändert, seit die Datei hier geöffnet oder gespeichert wurde. Beim Ersetzen gehen diese Änderungen verloren.</translation>
+    </message>
+    <message>
+        <source>Not saved; “Save as” keeps both.</source>
+        <translation>Nicht gespeichert; „Speichern unter“ erhält beide.</translation>
+    </message>
+    <message>
+        <source>Opening writes no file and opens no other; steps left out: %1.</source>
+        <translation>Öffnen schreibt keine Datei und öffnet keine andere; ausgelassene Schritte: %1.</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ, triangles only (*.obj)</source>
+        <translation>Wavefront OBJ, nur Dreiecke (*.obj)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ, whole faces (*.obj)</source>
+        <translation>Wavefront OBJ, ganze Flächen (*.obj)</translation>
     </message>
 </context>
 <context>

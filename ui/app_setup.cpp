@@ -8,6 +8,11 @@
 #include <QLocale>
 #include <QSurfaceFormat>
 #include <QTranslator>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <string_view>
 
 // A static library's resources are linked in only where something names them. Outside any
 // namespace, as the macro wants it.
@@ -27,6 +32,22 @@ bool installTranslation(const QLocale& locale, const QString& name, const QStrin
     }
     delete translator;
     return false;
+}
+
+/// What the message handler knows; it is a plain function.
+struct Guarded {
+    const char* program = "";
+    QtMessageHandler before = nullptr;
+};
+Guarded guarded;
+
+void onMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (type == QtFatalMsg) {
+        constexpr int kUnusable = 2;
+        std::fprintf(stderr, "%s: There is no display to show a window on.\n", guarded.program);
+        std::_Exit(kUnusable);
+    }
+    if (guarded.before != nullptr) guarded.before(type, context, text);
 }
 
 }  // namespace
@@ -49,11 +70,29 @@ void prepareApplication() {
     QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
 }
 
-void nameApplication() {
-    initialiseResources();
+DisplayGuard::DisplayGuard(const char* program) {
+    guarded.program = program;
+    guarded.before = qInstallMessageHandler(onMessage);
+}
+
+DisplayGuard::~DisplayGuard() { qInstallMessageHandler(guarded.before); }
+
+bool asksForWords(int argc, char** argv) {
+    constexpr std::string_view kWords[] = {"--help", "-h", "--help-all", "--version", "-v"};
+    return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+        return std::find(std::begin(kWords), std::end(kWords), argument) != std::end(kWords);
+    });
+}
+
+void nameProgram() {
     QCoreApplication::setApplicationName(QStringLiteral("Edgewright"));
     QCoreApplication::setOrganizationName(QStringLiteral("Edgewright"));
     QCoreApplication::setApplicationVersion(QStringLiteral(EDGEWRIGHT_VERSION));
+}
+
+void nameApplication() {
+    initialiseResources();
+    nameProgram();
     QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/edgewright.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("edgewright"));
 }

@@ -11,7 +11,25 @@ namespace ew {
 /// samples one by one, the xcb platform where there is an X display and none was asked for.
 void prepareApplication();
 
-/// What must be set right after: name, version, icon, resources of the library.
+/// Without a display Qt ends a program by aborting it while its QApplication is made. As long as
+/// this lives, the program ends with status 2 and a sentence on stderr instead. One at a time.
+class DisplayGuard {
+  public:
+    /// \param program  its name, for the sentence; outlives this.
+    explicit DisplayGuard(const char* program);
+    ~DisplayGuard();
+    DisplayGuard(const DisplayGuard&) = delete;
+    DisplayGuard& operator=(const DisplayGuard&) = delete;
+};
+
+/// Does the command line ask for help or the version only? That needs no display, so a
+/// QCoreApplication is enough to answer it.
+bool asksForWords(int argc, char** argv);
+
+/// Name and version, right after the application was made, of whatever kind it is.
+void nameProgram();
+
+/// The same for one with windows, also icon and resources of the library.
 void nameApplication();
 
 /// Loads the texts of a language, before the first window is made.

@@ -144,6 +144,17 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, edge %5 leaves no more room"),
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, corner %5 leaves no more room"),
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4"),
+    QT_TRANSLATE_NOOP("Core", "The file %1 could not be written: %2."),
+    QT_TRANSLATE_NOOP(
+        "Core", "A document cannot be called %1: files that end in .json are sketch scripts."),
+    QT_TRANSLATE_NOOP("Core", "%1 is no Edgewright document or sketch script: it holds %2."),
+    QT_TRANSLATE_NOOP("Core", "%1 is larger than %2 MiB."),
+    QT_TRANSLATE_NOOP("Core", "%1 is a folder, not a file."),
+    QT_TRANSLATE_NOOP("Core", "The solid lies too far out to be written to a mesh file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The bodies lie too far apart for the single precision of STL; export them "
+                      "as OBJ, 3MF or glTF."),
+    QT_TRANSLATE_NOOP("Core", "It lies far out: in the file, the origin is at %1 mm."),
     QT_TRANSLATE_NOOP("Core", "Join these ends"),
     QT_TRANSLATE_NOOP("Core", "Raise the threshold to %1"),
     QT_TRANSLATE_NOOP("Core", "Raise the angle threshold to %1 degrees"),
@@ -189,14 +200,36 @@ const QRegularExpression& place() {
 }
 
 /// What stands in the places of sentences only.
-constexpr const char* kParts[] = {
-    QT_TRANSLATE_NOOP("Core", "one place"),   QT_TRANSLATE_NOOP("Core", "%1 places"),
-    QT_TRANSLATE_NOOP("Core", "one corner"),  QT_TRANSLATE_NOOP("Core", "%1 corners"),
-    QT_TRANSLATE_NOOP("Core", "one edge"),    QT_TRANSLATE_NOOP("Core", "%1 edges"),
-    QT_TRANSLATE_NOOP("Core", "%1 more"),     QT_TRANSLATE_NOOP("Core", "%1 fewer"),
-    QT_TRANSLATE_NOOP("Core", "adding a %1"), QT_TRANSLATE_NOOP("Core", "cutting a %1"),
-    QT_TRANSLATE_NOOP("Core", "radius %1"),   QT_TRANSLATE_NOOP("Core", "stays sharp"),
-    QT_TRANSLATE_NOOP("Core", "%1 or %2")};
+constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "one place"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 places"),
+                                  QT_TRANSLATE_NOOP("Core", "one corner"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 corners"),
+                                  QT_TRANSLATE_NOOP("Core", "one edge"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 edges"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 more"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 fewer"),
+                                  QT_TRANSLATE_NOOP("Core", "adding a %1"),
+                                  QT_TRANSLATE_NOOP("Core", "cutting a %1"),
+                                  QT_TRANSLATE_NOOP("Core", "radius %1"),
+                                  QT_TRANSLATE_NOOP("Core", "stays sharp"),
+                                  QT_TRANSLATE_NOOP("Core", "there is no room left on the disk"),
+                                  QT_TRANSLATE_NOOP("Core", "its folder does not exist"),
+                                  QT_TRANSLATE_NOOP("Core", "it is a folder"),
+                                  QT_TRANSLATE_NOOP("Core", "it may not be changed"),
+                                  QT_TRANSLATE_NOOP("Core", "its name is too long"),
+                                  QT_TRANSLATE_NOOP("Core", "nothing"),
+                                  QT_TRANSLATE_NOOP("Core", "a picture"),
+                                  QT_TRANSLATE_NOOP("Core", "a PDF document"),
+                                  QT_TRANSLATE_NOOP("Core", "a ZIP package, as 3MF files are"),
+                                  QT_TRANSLATE_NOOP("Core", "a glTF mesh"),
+                                  QT_TRANSLATE_NOOP("Core", "a PLY mesh"),
+                                  QT_TRANSLATE_NOOP("Core", "an STL mesh"),
+                                  QT_TRANSLATE_NOOP("Core", "an OBJ mesh"),
+                                  QT_TRANSLATE_NOOP("Core", "a STEP model"),
+                                  QT_TRANSLATE_NOOP("Core", "XML text, as SVG files are"),
+                                  QT_TRANSLATE_NOOP("Core", "text of another kind"),
+                                  QT_TRANSLATE_NOOP("Core", "data of another kind"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 or %2")};
 
 struct Wording {
     const char* source;

@@ -370,4 +370,17 @@ inline constexpr double kNoNormalSine = 1e-9;
 /// solid's size; sine of the angle]: an exact boolean moves what it leaves by rounding only.
 inline constexpr double kSameEdgeRelative = 1e-7;
 
+/// A corner of an exported polygon that turns by less than this sine is none: a reader that cuts
+/// the polygon there would get a triangle without area in single precision.
+inline constexpr double kNoTurnSine = 1e-5;
+/// A mesh file in single precision is moved to the origin where it lies farther from there than
+/// this many times its size: nearer, rounding is below a millionth of the size anyway.
+inline constexpr double kFarFromOrigin = 16.0;
+/// Bodies in one file whose format has one origin for all: the farthest may lie this many times the
+/// size of the smallest away, which rounds it by less than a thousandth of its size.
+inline constexpr double kSinglePrecisionReach = 1e4;
+/// The same for coordinates in double precision: beyond it the solid itself is no longer what was
+/// drawn.
+inline constexpr double kDoublePrecisionReach = 1e12;
+
 }  // namespace ew::tol

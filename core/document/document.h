@@ -11,6 +11,7 @@
 
 #include "core/base/camera.h"
 #include "core/document/derived_shape.h"
+#include "core/document/export_faces.h"
 #include "core/document/sketch_script.h"
 #include "core/modeling/interpretation.h"
 #include "core/solid/solid.h"
@@ -193,16 +194,22 @@ class Document : public QObject {
 
     // Files
     // -----------------------------------------------------------------------------------------------
-    /// Native document (.edgewright): state, history with every snapshot, ink, camera, thresholds.
-    Result<void> save(const QString& path);
+    /// Native document: state, history with every snapshot, ink, camera, thresholds. A name without
+    /// .edgewright gets it (filePath() tells). Errors: BadValue for a name of a script, TooLarge,
+    /// CannotWrite.
+    Result<void> save(const QString& wanted);
     /// Replaces everything, history included; on error nothing changes.
     Result<void> open(const QString& path);
     void reset();
     QString filePath() const;
+    /// Was the file written to or replaced by anyone else since it was opened or saved? False where
+    /// it is gone: saving it then overwrites nothing.
+    bool fileChangedByOthers() const;
     bool isModified() const;
     /// Writes the surface, else the filleted cage, else the solid: .obj, .stl, .ply, .glb, .3mf by
-    /// extension. The errors of exportShape().
-    Result<void> exportTo(const QString& path) const;
+    /// extension. A sentence for the person, or nothing, and the errors, of exportShape().
+    Result<std::string> exportTo(const QString& path,
+                                 ExportFaces faces = ExportFaces::Simple) const;
 
     /// All that was done since the document was new, as a script that replays to this state.
     SketchScript recordedScript() const;

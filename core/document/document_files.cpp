@@ -2,6 +2,7 @@
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/export_mesh.h"
+#include "core/document/file_names.h"
 #include "core/document/store.h"
 
 namespace ew {
@@ -37,7 +38,9 @@ void Document::Private::adopt(DocumentFile file) {
     }
 }
 
-Result<void> Document::save(const QString& path) {
+Result<void> Document::save(const QString& wanted) {
+    const auto path = documentFileName(wanted);
+    if (!path) return fail(path.error());
     DocumentFile file;
     const QUndoStack& stack = d_->stack;
     for (int i = 0; i < stack.count(); ++i) {
@@ -54,8 +57,9 @@ Result<void> Document::save(const QString& path) {
     file.thresholds = d_->view.thresholds;
     file.obliqueFactor = d_->obliqueFactor;
     file.script = recordedScript();
-    if (auto ok = saveDocument(file, path); !ok) return ok;
-    d_->path = path;
+    if (auto ok = saveDocument(file, *path); !ok) return ok;
+    d_->path = *path;
+    d_->fileStamp = fileStamp(*path);
     d_->savedRevision = d_->revision;
     d_->stack.setClean();
     d_->emitChange(DocumentChange::File);
@@ -63,9 +67,12 @@ Result<void> Document::save(const QString& path) {
 }
 
 Result<void> Document::open(const QString& path) {
+    // Before it is read: what is written meanwhile counts as a change.
+    const auto stamp = fileStamp(path);
     auto file = loadDocument(path, d_->shipped);
     if (!file) return fail(file.error());
     d_->path = path;
+    d_->fileStamp = stamp;
     d_->adopt(*std::move(file));
     return {};
 }
@@ -78,15 +85,22 @@ void Document::reset() {
     empty.camera.width = d_->view.camera.width;
     empty.camera.height = d_->view.camera.height;
     d_->path.clear();
+    d_->fileStamp.reset();
     d_->adopt(std::move(empty));
 }
 
 QString Document::filePath() const { return d_->path; }
+bool Document::fileChangedByOthers() const {
+    if (d_->path.isEmpty()) return false;
+    const auto now = fileStamp(d_->path);
+    return now && now != d_->fileStamp;
+}
+
 bool Document::isModified() const { return d_->revision != d_->savedRevision; }
 
-Result<void> Document::exportTo(const QString& path) const {
+Result<std::string> Document::exportTo(const QString& path, ExportFaces faces) const {
     const auto derived = shape();
-    return exportShape({d_->state->bodies, *derived, d_->state->mapped}, path.toStdString());
+    return exportShape({d_->state->bodies, *derived, d_->state->mapped}, path.toStdString(), faces);
 }
 
 SketchScript Document::recordedScript() const { return d_->recorder.script(d_->view); }

@@ -42,6 +42,7 @@ struct Document::Private {
     QUndoStack stack;
     Recorder recorder;
     QString path;
+    std::optional<FileStamp> fileStamp;  ///< of the file as this document knows it
 
     // Modified: `revision` counts what a file would keep.
     long revision = 0;

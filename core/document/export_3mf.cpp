@@ -7,6 +7,8 @@
 #include <charconv>
 #include <memory>
 
+#include "core/document/export_place.h"
+
 namespace ew {
 namespace {
 
@@ -60,7 +62,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-std::string modelText(std::span<const TriangleMeshView> bodies) {
+std::string modelText(std::span<const TriangleMeshView> bodies, const Vec3& origin) {
     std::string out = R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <metadata name="Application">Edgewright</metadata>
@@ -73,7 +75,11 @@ std::string modelText(std::span<const TriangleMeshView> bodies) {
         appendNumber(out.append("<object id=\""), ++id);
         out.append("\" type=\"model\" name=\"").append(escaped(body.name));
         out.append("\"><mesh>\n<vertices>\n");
-        for (const Vec3& p : body.positions) {
+        Extent extent;
+        extent.add(body.positions);
+        const Vec3 own = fileOrigin(extent);
+        for (const Vec3& position : body.positions) {
+            const Vec3 p = position - own;
             appendNumber(out.append("<vertex x=\""), p.x());
             appendNumber(out.append("\" y=\""), p.y());
             appendNumber(out.append("\" z=\""), p.z());
@@ -88,6 +94,11 @@ std::string modelText(std::span<const TriangleMeshView> bodies) {
         }
         out.append("</triangles>\n</mesh></object>\n");
         appendNumber(items.append("<item objectid=\""), id);
+        const Vec3 place = origin + own;
+        if (!place.isZero(0.0)) {
+            items.append("\" transform=\"1 0 0 0 1 0 0 0 1");
+            for (int k = 0; k < 3; ++k) appendNumber(items.append(" "), place[k]);
+        }
         items.append("\"/>\n");
     }
     return out.append("</resources>\n<build>\n").append(items).append("</build>\n</model>\n");
@@ -118,9 +129,9 @@ Unexpected<Error> noPackage() { return fail(Errc::Internal, "The 3MF package cou
 
 }  // namespace
 
-Result<std::string> threeMfBytes(std::span<const TriangleMeshView> bodies) {
+Result<std::string> threeMfBytes(std::span<const TriangleMeshView> bodies, const Vec3& origin) {
     if (auto ok = checkMeshes(bodies); !ok) return fail(ok.error());
-    const std::string model = modelText(bodies);
+    const std::string model = modelText(bodies, origin);
     zip_error_t error;
     zip_error_init(&error);
     const std::unique_ptr<zip_source_t, FreeSource> target(

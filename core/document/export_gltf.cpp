@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "core/document/export_place.h"
+
 namespace ew {
 namespace {
 
@@ -94,30 +96,39 @@ SplitMesh splitMesh(const TriangleMeshView& body) {
 
 class Writer {
   public:
-    Writer() {
+    explicit Writer(const Vec3& origin) {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Edgewright"}};
         json_["scene"] = 0;
         json_["scenes"] = {{{"nodes", {0}}}};
         // z up and mm to y up and metres.
+        constexpr double kMetres = 0.001;
         constexpr double kHalf = 0.70710678118654752;
         json_["nodes"] = {{{"name", "Edgewright"},
                            {"rotation", {-kHalf, 0.0, 0.0, kHalf}},
-                           {"scale", {0.001, 0.001, 0.001}},
+                           {"scale", {kMetres, kMetres, kMetres}},
                            {"children", ordered_json::array()}}};
+        if (!origin.isZero(0.0)) {
+            const Vec3 metres = kMetres * origin;
+            json_["nodes"][0]["translation"] = {metres.x(), metres.z(), -metres.y()};
+        }
         for (const char* list : {"meshes", "materials", "accessors", "bufferViews"}) {
             json_[list] = ordered_json::array();
         }
     }
 
     void addBody(const TriangleMeshView& body) {
-        const SplitMesh mesh = splitMesh(body);
+        SplitMesh mesh = splitMesh(body);
+        Extent extent;
+        extent.add(mesh.positions);
+        const Vec3 place = fileOrigin(extent);
+        for (Vec3& p : mesh.positions) p -= place;
         ordered_json primitive;
         primitive["attributes"]["POSITION"] = addPoints(mesh.positions, true);
         primitive["attributes"]["NORMAL"] = addPoints(mesh.normals, false);
         primitive["indices"] = addIndices(mesh.triangles);
         primitive["material"] = addMaterial(body.color, 0.0, 0.55);
         primitive["mode"] = kTriangles;
-        addMesh(body.name, {primitive});
+        addMesh(body.name, {primitive}, place);
     }
 
     void addLines(std::span<const PolylineView> lines) {
@@ -215,11 +226,15 @@ class Writer {
         return static_cast<int>(all.size()) - 1;
     }
 
-    void addMesh(const std::string& name, const ordered_json& primitives) {
+    void addMesh(const std::string& name, const ordered_json& primitives,
+                 const Vec3& place = Vec3::Zero()) {
         ordered_json list = primitives.is_array() ? primitives : ordered_json::array({primitives});
         json_["meshes"].push_back({{"name", name}, {"primitives", std::move(list)}});
         json_["nodes"][0]["children"].push_back(json_["nodes"].size());
         json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
+        if (!place.isZero(0.0)) {
+            json_["nodes"].back()["translation"] = {place.x(), place.y(), place.z()};
+        }
     }
 
     ordered_json json_;
@@ -269,13 +284,13 @@ Result<void> checkMeshes(std::span<const TriangleMeshView> bodies) {
 }
 
 Result<std::string> gltfBytes(std::span<const TriangleMeshView> bodies,
-                              std::span<const PolylineView> lines) {
+                              std::span<const PolylineView> lines, const Vec3& origin) {
     if (auto ok = checkMeshes(bodies); !ok) return fail(ok.error());
     for (const PolylineView& line : lines) {
         if (std::all_of(line.points.begin(), line.points.end(), fitsFloat)) continue;
         return fail(Errc::BadValue, "A line on the surface lies too far out or is not a number.");
     }
-    Writer writer;
+    Writer writer(origin);
     for (const TriangleMeshView& body : bodies) {
         if (!body.triangles.empty()) writer.addBody(body);
     }

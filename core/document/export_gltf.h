@@ -31,10 +31,13 @@ struct PolylineView {
 /// The bytes of a glTF 2.0 binary file (.glb): a node and mesh for each body, lines as one mesh of
 /// line strips, under a root node that turns z up, mm into the format's y up, metres. Points with
 /// several normals are repeated, one for each; bodies without normals get flat ones.
+/// \param origin  of these coordinates in the world [mm]: the root node puts it back. A body that
+///                lies far from there by its own size gets a translation of its own as well.
 /// Errors: NoSolid where there is no triangle, BadValue for numbers that are not finite or do not
 /// fit single precision, indices out of range, or a file over 4 GiB, which the format cannot hold.
 Result<std::string> gltfBytes(std::span<const TriangleMeshView> bodies,
-                              std::span<const PolylineView> lines = {});
+                              std::span<const PolylineView> lines = {},
+                              const Vec3& origin = Vec3::Zero());
 
 /// Checks what both mesh formats need: NoSolid, BadValue as above.
 Result<void> checkMeshes(std::span<const TriangleMeshView> bodies);

@@ -5,18 +5,19 @@
 #include <array>
 #include <bit>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
+#include <map>
 #include <optional>
-#include <random>
 
 #include "core/document/export_3mf.h"
 #include "core/document/export_gltf.h"
+#include "core/document/export_place.h"
+#include "core/document/file_bytes.h"
+#include "core/base/tolerance.h"
 
 namespace ew {
 namespace {
@@ -41,9 +42,92 @@ struct WorldLine {
 struct WorldMeshes {
     std::vector<WorldMesh> bodies;
     std::vector<WorldLine> lines;
+    Vec3 origin = Vec3::Zero();  // of these coordinates, in the world
 };
 
-Result<WorldMeshes> toWorld(const MeshSource& source) {
+/// Do readers that cut a polygon into a fan from its first corner get it right, with area in each
+/// triangle?
+bool isConvex(const std::vector<int>& polygon, const std::vector<Vec3>& points) {
+    const std::size_t n = polygon.size();
+    const auto at = [&](std::size_t k) -> const Vec3& {
+        return points[static_cast<std::size_t>(polygon[k % n])];
+    };
+    Vec3 area = Vec3::Zero();
+    for (std::size_t k = 2; k < n; ++k) area += (at(k - 1) - at(0)).cross(at(k) - at(0));
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec3 in = at(k + 1) - at(k);
+        const Vec3 out = at(k + 2) - at(k + 1);
+        if (in.cross(out).dot(area) <= tol::kNoTurnSine * in.norm() * out.norm() * area.norm()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Faces of two triangles as one polygon where that is convex; all others as triangles.
+std::vector<std::vector<int>> simpleFaces(const ShapeMesh& shape) {
+    std::map<int, std::vector<std::vector<int>>> pieces;
+    for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+        pieces[shape.faces[t]].emplace_back(shape.triangles[t].begin(), shape.triangles[t].end());
+    }
+    std::vector<std::vector<int>> out;
+    for (auto& [face, triangles] : pieces) {
+        if (triangles.size() == 2) {
+            auto joined = joinTriangles(triangles);
+            if (joined.size() == 1 && isConvex(joined[0], shape.positions)) triangles = joined;
+        }
+        for (auto& polygon : triangles) out.push_back(std::move(polygon));
+    }
+    return out;
+}
+
+std::vector<std::vector<int>> trianglesOf(const ShapeMesh& shape) {
+    std::vector<std::vector<int>> out;
+    out.reserve(shape.triangles.size());
+    for (const auto& t : shape.triangles) out.emplace_back(t.begin(), t.end());
+    return out;
+}
+
+std::vector<std::vector<int>> facesOf(const Body& body, const BodyShape& bodyShape,
+                                      const ShapeMesh& shape, ExportFaces faces) {
+    if (bodyShape.surface || faces == ExportFaces::Triangles) return trianglesOf(shape);
+    if (faces == ExportFaces::Polygons) return shapePolygons(body, bodyShape);
+    return simpleFaces(shape);
+}
+
+Extent extentOf(const WorldMeshes& meshes) {
+    Extent extent;
+    for (const WorldMesh& body : meshes.bodies) extent.add(body.points);
+    return extent;
+}
+
+/// Errors: BadValue where a body is too small for where it lies.
+Result<void> checkReach(const WorldMeshes& meshes, double most, const char* sentence) {
+    for (const WorldMesh& body : meshes.bodies) {
+        Extent extent;
+        extent.add(body.points);
+        if (extent.reach() > most * extent.size()) return fail(Errc::BadValue, sentence);
+    }
+    return {};
+}
+
+/// The same meshes round an origin of their own.
+WorldMeshes moved(WorldMeshes meshes, const Vec3& origin) {
+    meshes.origin = origin;
+    for (WorldMesh& body : meshes.bodies) {
+        for (Vec3& p : body.points) p -= origin;
+    }
+    for (WorldLine& line : meshes.lines) {
+        for (auto& piece : line.pieces) {
+            for (Vec3& p : piece) p -= origin;
+        }
+    }
+    return meshes;
+}
+
+constexpr const char* kTooFarOut = "The solid lies too far out to be written to a mesh file.";
+
+Result<WorldMeshes> toWorld(const MeshSource& source, ExportFaces faces) {
     WorldMeshes out;
     for (std::size_t b = 0; b < source.bodies.size(); ++b) {
         ShapeMesh shape = shapeMesh(source.bodies[b], source.shape.bodies[b]);
@@ -51,20 +135,18 @@ Result<WorldMeshes> toWorld(const MeshSource& source) {
             if (p.allFinite() && p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) {
                 continue;
             }
-            return fail(Errc::BadValue, "The solid lies too far out to be written to a mesh file.");
+            return fail(Errc::BadValue, kTooFarOut);
         }
         WorldMesh mesh;
+        mesh.polygons = facesOf(source.bodies[b], source.shape.bodies[b], shape, faces);
         mesh.points = std::move(shape.positions);
         mesh.triangles = std::move(shape.triangles);
         mesh.normals = std::move(shape.normals);
         mesh.normalTriangles = std::move(shape.normalTriangles);
-        if (source.shape.bodies[b].surface) {
-            mesh.polygons.reserve(mesh.triangles.size());
-            for (const auto& t : mesh.triangles) mesh.polygons.push_back({t.begin(), t.end()});
-        } else {
-            mesh.polygons = shapePolygons(source.bodies[b], source.shape.bodies[b]);
-        }
         out.bodies.push_back(std::move(mesh));
+    }
+    if (auto ok = checkReach(out, tol::kDoublePrecisionReach, kTooFarOut); !ok) {
+        return fail(ok.error());
     }
     out.lines.resize(source.mapped.size());
     for (std::size_t i = 0; i < source.mapped.size(); ++i) {
@@ -154,8 +236,15 @@ void put(std::string& out, T value) {
     out.append(bytes.data(), bytes.size());
 }
 
-std::string stlBytes(const std::vector<WorldMesh>& bodies) {
+/// "1000000000 0 0"
+std::string placeText(const Vec3& p) {
+    return number(p.x()).append(" ").append(number(p.y())).append(" ").append(number(p.z()));
+}
+
+std::string stlBytes(const WorldMeshes& meshes) {
+    const std::vector<WorldMesh>& bodies = meshes.bodies;
     std::string out = "Edgewright, mm";
+    if (!meshes.origin.isZero(0.0)) out.append(", origin at ").append(placeText(meshes.origin));
     out.resize(80, ' ');
     std::size_t count = 0;
     for (const WorldMesh& body : bodies) count += body.triangles.size();
@@ -178,7 +267,8 @@ std::string stlBytes(const std::vector<WorldMesh>& bodies) {
     return out;
 }
 
-std::string plyBytes(const std::vector<WorldMesh>& bodies) {
+std::string plyBytes(const WorldMeshes& meshes) {
+    const std::vector<WorldMesh>& bodies = meshes.bodies;
     std::size_t points = 0;
     std::size_t polygons = 0;
     std::size_t longest = 0;
@@ -189,6 +279,9 @@ std::string plyBytes(const std::vector<WorldMesh>& bodies) {
     }
     const bool shortLists = longest <= std::numeric_limits<std::uint8_t>::max();
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Edgewright, mm\n";
+    if (!meshes.origin.isZero(0.0)) {
+        out.append("comment origin at ").append(placeText(meshes.origin)).append("\n");
+    }
     out.append("element vertex ").append(std::to_string(points));
     out.append("\nproperty double x\nproperty double y\nproperty double z\n");
     out.append("element face ").append(std::to_string(polygons));
@@ -214,45 +307,6 @@ std::string plyBytes(const std::vector<WorldMesh>& bodies) {
     return out;
 }
 
-// Writing -----------------------------------------------------------------------------------------
-
-Unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) {
-    std::string text = "The file ";
-    text.append(path.string()).append(" could not be written: ").append(why).append(".");
-    return fail(Errc::CannotWrite, std::move(text));
-}
-
-Result<void> writeWhole(const fs::path& target, const std::string& bytes) {
-    std::error_code ec;
-    if (fs::is_directory(target, ec)) return cannotWrite(target, "it is a folder");
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, ec)) return cannotWrite(target, "its folder does not exist");
-    // A short name of its own, so that a name at the system's limit can still be written.
-    char name[24] = ".ew";
-    std::random_device random;
-    const auto end = std::to_chars(name + 3, name + sizeof(name) - 1, random(), 36);
-    *end.ptr = '\0';
-    const fs::path beside = folder / name;
-    errno = 0;
-    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-    if (!file) {
-        const int reason = errno;
-        return cannotWrite(target, reason != 0 ? std::strerror(reason) : "no reason given");
-    }
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) {
-        const int reason = errno;
-        fs::remove(beside, ec);
-        return cannotWrite(target, reason != 0 ? std::strerror(reason) : "no reason given");
-    }
-    fs::rename(beside, target, ec);
-    if (!ec) return {};
-    const std::string why = ec.message();
-    fs::remove(beside, ec);
-    return cannotWrite(target, why);
-}
-
 /// 8-bit sRGB to the linear numbers of glTF.
 std::array<double, 3> linearColor(const StrokeColor& color) {
     std::array<double, 3> out{};
@@ -275,29 +329,44 @@ Result<std::string> packageBytes(const WorldMeshes& meshes, bool gltf) {
         view.normalTriangles = m.normalTriangles;
         bodies.push_back(std::move(view));
     }
-    if (!gltf) return threeMfBytes(bodies);
+    if (!gltf) return threeMfBytes(bodies, meshes.origin);
     std::vector<PolylineView> lines;
     for (const WorldLine& line : meshes.lines) {
         for (const auto& piece : line.pieces) lines.push_back({piece, linearColor(line.color)});
     }
-    return gltfBytes(bodies, lines);
+    return gltfBytes(bodies, lines, meshes.origin);
 }
 
 /// The bytes of the format that an extension names; nothing where it names none.
 std::optional<Result<std::string>> bytesFor(const std::string& extension,
                                             const WorldMeshes& meshes) {
     if (extension == ".obj") return objText(meshes);
-    if (extension == ".stl") return stlBytes(meshes.bodies);
-    if (extension == ".ply") return plyBytes(meshes.bodies);
+    if (extension == ".stl") return stlBytes(meshes);
+    if (extension == ".ply") return plyBytes(meshes);
     if (extension == ".glb" || extension == ".3mf") {
         return packageBytes(meshes, extension == ".glb");
     }
     return std::nullopt;
 }
 
+/// STL has one origin for all bodies and single precision only.
+Result<void> checkFormat(const std::string& extension, const WorldMeshes& meshes) {
+    if (extension != ".stl") return {};
+    return checkReach(meshes, tol::kSinglePrecisionReach,
+                      "The bodies lie too far apart for the single precision of STL; export them "
+                      "as OBJ, 3MF or glTF.");
+}
+
+/// What the person is told of a file with an origin of its own.
+std::string noteOn(const std::string& extension, const Vec3& origin) {
+    if (extension == ".glb" || extension == ".3mf") return {};  // readers put it back
+    return "It lies far out: in the file, the origin is at " + placeText(origin) + " mm.";
+}
+
 }  // namespace
 
-Result<void> exportShape(const MeshSource& source, const std::string& path) {
+Result<std::string> exportShape(const MeshSource& source, const std::string& path,
+                                ExportFaces faces) {
     const fs::path target(std::u8string(path.begin(), path.end()));
     std::string extension = target.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -310,18 +379,29 @@ Result<void> exportShape(const MeshSource& source, const std::string& path) {
     }
     if (source.bodies.empty()) return fail(Errc::NoSolid, "There is no solid to export yet.");
     if (source.shape.problem) return fail(*source.shape.problem);
-    const auto meshes = toWorld(source);
+    auto meshes = toWorld(source, faces);
     if (!meshes) return fail(meshes.error());
+    std::string note;
+    if (extension != ".obj") {
+        *meshes = moved(*std::move(meshes), fileOrigin(extentOf(*meshes)));
+        const auto ok = checkFormat(extension, *meshes);
+        if (!ok) return fail(ok.error());
+        if (!meshes->origin.isZero(0.0)) note = noteOn(extension, meshes->origin);
+    }
     const auto bytes = *bytesFor(extension, *meshes);
     if (!bytes) return fail(bytes.error());
-    return writeWhole(target, *bytes);
+    if (auto ok = writeFileBytes(QString::fromStdString(path), *bytes); !ok) {
+        return fail(ok.error());
+    }
+    return note;
 }
 
-Result<void> exportBodies(const std::vector<Body>& bodies, const std::string& path) {
+Result<std::string> exportBodies(const std::vector<Body>& bodies, const std::string& path,
+                                 ExportFaces faces) {
     DerivedShape solids;
     solids.bodies.resize(bodies.size());
     const std::vector<MappedStroke> none;
-    return exportShape({bodies, solids, none}, path);
+    return exportShape({bodies, solids, none}, path, faces);
 }
 
 }  // namespace ew

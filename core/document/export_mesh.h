@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/document/derived_shape.h"
+#include "core/document/export_faces.h"
 #include "core/document/polygons.h"
 #include "core/solid/solid.h"
 
@@ -21,21 +22,25 @@ struct MeshSource {
 
 /// Writes a mesh file in world coordinates [mm]; the format follows the extension, in any case of
 /// letters:
-///   .obj  one object a body, planar faces as polygons, 17 significant digits; a surface as
-///         triangles with its normals; mapped strokes as lines, one object a stroke
+///   .obj  one object a body, 17 significant digits; a surface as triangles with its normals;
+///         mapped strokes as lines, one object a stroke
 ///   .stl  binary, triangles with unit normals, single precision as the format has it
-///   .ply  binary little endian, double precision, planar faces as polygons
+///   .ply  binary little endian, double precision
 ///   .glb  glTF 2.0 binary: triangles, smooth normals where there is a surface, mapped strokes
 ///   .3mf  3MF core: triangles, mm
-/// A face with holes becomes several polygons without holes, as few as joining its triangles gives.
-/// The file appears whole or not at all: it is written beside its place and then moved there.
-/// \param path  UTF-8.
-/// Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite, BadValue for a pose
-/// that is not finite or puts a coordinate beyond what the format holds, shape.problem where the
-/// shape could not be made.
-Result<void> exportShape(const MeshSource& source, const std::string& path);
+/// As polygons, a face with holes becomes several without holes, as few as joining its triangles
+/// gives. All but .obj are read in single precision, so far from the world's origin they get one of
+/// their own (fileOrigin): .glb and .3mf say so in the nodes and build items that put it back; .stl
+/// (in its header) and .ply (in a comment) say "origin at X Y Z", and the returned note says it
+/// too. The file appears whole or not at all. \param path  UTF-8. \return a sentence for the
+/// person, or nothing. Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite,
+/// BadValue for a pose that is not finite or coordinates that the format cannot hold closely
+/// enough, shape.problem where the shape could not be made.
+Result<std::string> exportShape(const MeshSource& source, const std::string& path,
+                                ExportFaces faces = ExportFaces::Simple);
 
 /// The same for solids alone.
-Result<void> exportBodies(const std::vector<Body>& bodies, const std::string& path);
+Result<std::string> exportBodies(const std::vector<Body>& bodies, const std::string& path,
+                                 ExportFaces faces = ExportFaces::Simple);
 
 }  // namespace ew

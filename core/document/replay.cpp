@@ -106,30 +106,47 @@ class StepRunner {
     Result<void> operator()(const UndoStep& s) { return document_.undo(s.count); }
     Result<void> operator()(const RedoStep& s) { return document_.redo(s.count); }
     Result<void> operator()(const SaveStep& s) {
-        const auto path = pathToWrite(options_.scriptFolder, s.path);
+        const auto path = pathToWrite(s.path);
         if (!path) return fail(path.error());
-        return document_.save(*path);
+        if (auto ok = document_.save(*path); !ok) return ok;
+        options_.saved->insert(*path);
+        return {};
     }
     Result<void> operator()(const OpenStep& s) {
-        const auto path = pathInside(options_.scriptFolder, QString::fromStdString(s.path));
+        const auto path = pathToOpen(s.path);
         if (!path) return fail(path.error());
         return document_.open(*path);
     }
     Result<void> operator()(const ExportStep& s) {
-        const auto path = pathToWrite(options_.outFolder, s.path);
+        const auto path = pathToWrite(s.path);
         if (!path) return fail(path.error());
-        return document_.exportTo(*path);
+        const auto note = document_.exportTo(*path, s.faces);
+        if (note && !note->empty()) report_.notes.push_back(*note);
+        return dropValue(note);
     }
 
   private:
-    /// pathInside, with the folder of the file made where it is not there.
-    static Result<QString> pathToWrite(const QString& folder, const std::string& file) {
-        auto path = pathInside(folder, QString::fromStdString(file));
+    Result<QString> pathIn(const QString& folder, const std::string& file) const {
+        const QString path = QString::fromStdString(file);
+        if (options_.allowOutside) return QDir::cleanPath(QDir(folder).absoluteFilePath(path));
+        return pathInside(folder, path);
+    }
+    /// In the output folder, with the folder of the file made where it is not there.
+    Result<QString> pathToWrite(const std::string& file) const {
+        auto path = pathIn(options_.outFolder, file);
         if (path && !QDir().mkpath(QFileInfo(*path).path())) {
             return fail(Errc::CannotWrite,
                         "The folder of " + path->toStdString() + " cannot be made.");
         }
         return path;
+    }
+    /// What this replay saved; else a file beside the script; else one in the output folder.
+    Result<QString> pathToOpen(const std::string& file) const {
+        auto beside = pathIn(options_.scriptFolder, file);
+        const auto written = pathIn(options_.outFolder, file);
+        if (!beside || !written) return beside;
+        if (options_.saved->contains(*written)) return written;
+        return QFileInfo::exists(*beside) || !QFileInfo::exists(*written) ? beside : written;
     }
     template <class T>
     static Result<void> dropValue(const Result<T>& result) {
@@ -207,7 +224,8 @@ Result<QString> pathInside(const QString& folder, const QString& path) {
     if (QDir::isAbsolutePath(path) || clean == ".." || clean.startsWith("../") || clean == "." ||
         path.endsWith('/') || clean.contains(QChar(0))) {
         return fail(Errc::BadValue, "The path " + nameQuoted(path.toStdString()) +
-                                        " must name a file inside the folder it is relative to.");
+                                        " must name a file inside the folder it is relative to "
+                                        "(edgewright-replay --allow-outside allows others).");
     }
     return QDir(folder.isEmpty() ? QStringLiteral(".") : folder).absoluteFilePath(clean);
 }
@@ -221,11 +239,22 @@ Result<void> beginReplay(Document& document, const SketchScript& script) {
     return document.setThresholds(script.thresholds);
 }
 
+std::optional<std::string> fileOfStep(const ScriptStep& step) {
+    if (const auto* save = std::get_if<SaveStep>(&step)) return save->path;
+    if (const auto* open = std::get_if<OpenStep>(&step)) return open->path;
+    if (const auto* exported = std::get_if<ExportStep>(&step)) return exported->path;
+    return std::nullopt;
+}
+
 StepReport runStep(Document& document, const ScriptStep& step, int index,
                    const ReplayOptions& options) {
     StepReport report;
     report.index = index;
     report.name = stepName(step);
+    if (options.leaveOutFiles && fileOfStep(step)) {
+        report.leftOut = true;
+        return report;
+    }
     QElapsedTimer clock;
     clock.start();
     const Result<void> result = std::visit(StepRunner(document, options, report), step);
@@ -241,7 +270,11 @@ ReplayReport replay(Document& document, const SketchScript& script, const Replay
     QElapsedTimer clock;
     clock.start();
     if (auto ok = beginReplay(document, script); !ok) {
-        report.steps.push_back({0, "begin", false, 0.0, ok.error(), std::nullopt, -1, {}});
+        StepReport begin;
+        begin.name = "begin";
+        begin.ok = false;
+        begin.error = ok.error();
+        report.steps.push_back(std::move(begin));
         return report;
     }
     int index = 0;

@@ -3,7 +3,9 @@
 
 #include <QString>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,14 @@
 namespace ew {
 
 struct ReplayOptions {
-    QString scriptFolder;    ///< `save` and `open` are relative to it
-    QString outFolder;       ///< `export` is relative to it; made when the first file is written
-    bool keepGoing = false;  ///< go on after a step that failed
+    QString scriptFolder;  ///< `open` is relative to it
+    QString outFolder;     ///< `save` and `export` are relative to it; made when the first file is
+                           ///< written. What was saved there is opened again from there
+    bool keepGoing = false;      ///< go on after a step that failed
+    bool leaveOutFiles = false;  ///< steps that write or open a file are left out
+    bool allowOutside = false;   ///< these steps may name files outside their folders
+    /// Files that save steps of this replay wrote.
+    std::shared_ptr<std::set<QString>> saved = std::make_shared<std::set<QString>>();
 };
 
 /// What one step did.
@@ -22,6 +29,7 @@ struct StepReport {
     int index = 0;     ///< in the script, from 0
     std::string name;  ///< the "do" word
     bool ok = true;
+    bool leftOut = false;  ///< not done: ReplayOptions::leaveOutFiles
     double ms = 0.0;
     std::optional<Error> error;                    ///< set where ok is not
     std::optional<Interpretation> interpretation;  ///< of an apply: what was read
@@ -41,7 +49,7 @@ struct ReplayReport {
 Result<void> beginReplay(Document& document, const SketchScript& script);
 
 /// Runs one step. A step that fails leaves the document as it was.
-/// Paths that are absolute or lead out of their folder are Errc::BadValue.
+/// Paths that are absolute or lead out of their folder are Errc::BadValue, unless allowed.
 StepReport runStep(Document& document, const ScriptStep& step, int index,
                    const ReplayOptions& options);
 
@@ -54,6 +62,9 @@ ReplayReport replay(Document& document, const SketchScript& script, const Replay
 /// word it is, counted from 1 ("apply:3"; "fillet" is "fillet:1"). As an index, one past the last
 /// step is taken too. Errors: BadValue where the script has no such step.
 Result<std::size_t> findStep(const SketchScript& script, const std::string& name);
+
+/// The file that a step writes or opens; nothing for any other step.
+std::optional<std::string> fileOfStep(const ScriptStep& step);
 
 /// A relative path inside a folder, as an absolute one. Errc::BadValue where it leads out of it.
 Result<QString> pathInside(const QString& folder, const QString& path);

@@ -36,6 +36,7 @@ class ArgumentReader {
     Result<void> option(const QString& name);
     Result<void> text(const QString& name, QString& into);
     Result<void> exports();
+    Result<void> faces(const QString& name);
     Result<void> script(const QString& path);
 
     const QStringList& arguments_;
@@ -62,6 +63,17 @@ Result<void> ArgumentReader::exports() {
     return {};
 }
 
+Result<void> ArgumentReader::faces(const QString& name) {
+    QString word;
+    if (auto ok = text(name, word); !ok) return ok;
+    const auto read = exportFacesFromName(word.toStdString());
+    if (!read) {
+        return fail(Errc::BadValue, name.toStdString() + " is simple, triangles or polygons.");
+    }
+    out_.faces = *read;
+    return {};
+}
+
 Result<void> ArgumentReader::option(const QString& name) {
     if (readLookOption(name, out_.look)) return {};
     if (name == "--help" || name == "-h")
@@ -70,6 +82,8 @@ Result<void> ArgumentReader::option(const QString& name) {
         out_.version = true;
     else if (name == "--keep-going")
         out_.keepGoing = true;
+    else if (name == "--allow-outside")
+        out_.allowOutside = true;
     else if (name == "--out")
         return text(name, out_.outFolder);
     else if (name == "--until")
@@ -80,6 +94,8 @@ Result<void> ArgumentReader::option(const QString& name) {
         return text(name, out_.screenshot);
     else if (name == "--export")
         return exports();
+    else if (name == "--faces")
+        return faces(name);
     else if (name == "--templates")
         return text(name, out_.templates.emplace());
     else if (name == "--size") {
@@ -166,10 +182,15 @@ QString replayHelp() {
         "Usage: edgewright-replay SCRIPT [option...]\n"
         "Replays a sketch script without a window.\n"
         "\n"
-        "  --out DIR              folder for what the script's export steps write; made if it is\n"
-        "                         not there (default: the current folder)\n"
+        "  --out DIR              folder for what the script's save and export steps write; made\n"
+        "                         if it is not there (default: the current folder)\n"
+        "  --allow-outside        let these steps write, and open steps read, anywhere: absolute\n"
+        "                         paths and paths that lead out of their folder with ..\n"
         "  --export FILE ...      write the surface, cage or solid at the end: .obj, .stl,\n"
         "                         .ply, .glb or .3mf\n"
+        "  --faces WORD           what --export makes of flat faces in .obj and .ply: simple (at\n"
+        "                         most four corners, else triangles; the default), triangles, or\n"
+        "                         polygons (whole faces)\n"
         "  --screenshot FILE.png  write a picture of the viewport at the end (needs a display, or\n"
         "                         Xvfb installed)\n"
         "  --size WxH             size of the picture (default: the script's viewport)\n"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "core/document/export_faces.h"
 
 namespace ew {
 
@@ -20,8 +21,8 @@ struct PictureLook {
     bool operator==(const PictureLook&) const = default;
 };
 
-/// Sets what one of --transparent, --cage, --hidden-edges, --dark, --occlusion stands for; false where the name
-/// is none of them.
+/// Sets what one of --transparent, --cage, --hidden-edges, --dark, --occlusion stands for; false
+/// where the name is none of them.
 bool readLookOption(const QString& name, PictureLook& look);
 /// The options that set a look.
 QStringList lookOptions(const PictureLook& look);
@@ -30,7 +31,8 @@ QStringList lookOptions(const PictureLook& look);
 struct ReplayArguments {
     QString script;
     QString outFolder = QStringLiteral(".");
-    QStringList exports;               ///< relative to the current folder, or absolute
+    ExportFaces faces = ExportFaces::Simple;  ///< of exports
+    QStringList exports;                      ///< relative to the current folder, or absolute
     QString screenshot;                ///< empty: none; relative to the current folder, or absolute
     std::optional<QSize> size;         ///< of the screenshot [px]
     PictureLook look;                  ///< of the screenshot
@@ -38,6 +40,7 @@ struct ReplayArguments {
     QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
     bool keepGoing = false;
+    bool allowOutside = false;  ///< steps may write and open files outside their folders
     bool help = false;
     bool version = false;
 };

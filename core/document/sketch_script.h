@@ -10,6 +10,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/result.h"
+#include "core/document/export_faces.h"
 #include "core/modeling/interpretation.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/template.h"
@@ -86,6 +87,7 @@ struct OpenStep {
 };
 struct ExportStep {
     std::string path;
+    ExportFaces faces = ExportFaces::Simple;
 };
 
 using ScriptStep =

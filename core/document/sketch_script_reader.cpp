@@ -195,12 +195,29 @@ ScriptStep readCounted(const ObjectReader& step) {
     return s;
 }
 
+std::string readPath(const ObjectReader& step) {
+    std::string path = readString(step.require("path"), step.at("path"));
+    if (path.empty()) throwRead(Errc::BadValue, step.at("path") + " must name a file");
+    return path;
+}
+
 template <class Step>
 ScriptStep readPathed(const ObjectReader& step) {
     step.allowOnly({"do", "path"});
-    Step s;
-    s.path = readString(step.require("path"), step.at("path"));
-    if (s.path.empty()) throwRead(Errc::BadValue, step.at("path") + " must name a file");
+    return Step{readPath(step)};
+}
+
+ScriptStep readExport(const ObjectReader& step) {
+    step.allowOnly({"do", "path", "faces"});
+    ExportStep s;
+    s.path = readPath(step);
+    if (const json* v = step.find("faces")) {
+        const auto faces = exportFacesFromName(readString(*v, step.at("faces")));
+        if (!faces) {
+            throwRead(Errc::BadValue, step.at("faces") + " must be simple, triangles or polygons");
+        }
+        s.faces = *faces;
+    }
     return s;
 }
 
@@ -240,7 +257,7 @@ const std::map<std::string_view, StepReader>& stepReaders() {
         {"redo", readCounted<RedoStep>},
         {"save", readPathed<SaveStep>},
         {"open", readPathed<OpenStep>},
-        {"export", readPathed<ExportStep>},
+        {"export", readExport},
     };
     return readers;
 }

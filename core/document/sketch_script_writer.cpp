@@ -129,7 +129,13 @@ std::string body(const UndoStep& s) { return counted(s.count); }
 std::string body(const RedoStep& s) { return counted(s.count); }
 std::string body(const SaveStep& s) { return "\"path\": " + jsonQuoted(s.path); }
 std::string body(const OpenStep& s) { return "\"path\": " + jsonQuoted(s.path); }
-std::string body(const ExportStep& s) { return "\"path\": " + jsonQuoted(s.path); }
+std::string body(const ExportStep& s) {
+    std::string text = "\"path\": " + jsonQuoted(s.path);
+    if (s.faces != ExportFaces::Simple) {
+        text.append(", \"faces\": \"").append(exportFacesName(s.faces)).append("\"");
+    }
+    return text;
+}
 
 struct NameOf {
     std::string_view operator()(const CameraStep&) const { return "camera"; }

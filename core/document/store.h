@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "core/document/file_bytes.h"
 
 namespace ew {
 
@@ -51,12 +52,5 @@ Result<void> saveDocument(const DocumentFile& file, const QString& path);
 
 /// Errc::FileNotFound, Errc::TooLarge and the errors of readDocument.
 Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped);
-
-/// The bytes of a file of at most `maxBytes`. Errc::FileNotFound (missing, no file, not readable),
-/// Errc::TooLarge.
-Result<std::string> readFileBytes(const QString& path, std::size_t maxBytes);
-
-/// Replaces a file atomically. Errc::CannotWrite.
-Result<void> writeFileBytes(const QString& path, std::string_view bytes);
 
 }  // namespace ew

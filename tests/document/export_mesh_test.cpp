@@ -263,12 +263,134 @@ TEST_F(ExportMesh, FacesWithHolesBecomeFewSimplePolygons) {
     ASSERT_EQ(ring.solid.faces().size(), 10U);
     const auto polygons = facePolygons(ring.solid);
     EXPECT_EQ(polygons.size(), 12U);  // a ring takes two
-    ASSERT_TRUE(exportBodies({ring}, path("ring.obj")));
-    ASSERT_TRUE(exportBodies({ring}, path("ring.ply")));
+    ASSERT_TRUE(exportBodies({ring}, path("ring.obj"), ExportFaces::Polygons));
+    ASSERT_TRUE(exportBodies({ring}, path("ring.ply"), ExportFaces::Polygons));
     for (const Read& mesh : {readObj(path("ring.obj")), readPly(path("ring.ply"))}) {
         EXPECT_EQ(mesh.faces.size(), 12U);
         expectClosed(mesh);
         EXPECT_NEAR(volumeOf(mesh), 12.0, 1e-13);
+    }
+}
+
+/// An L in the plane z = 0, extruded: two faces of six corners, one of them concave, and a kite of
+/// four corners as its foot.
+PolyhedronSpec bracketSpec() {
+    PolyhedronSpec spec;
+    const std::vector<Vec2> outline{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+    const int n = static_cast<int>(outline.size());
+    for (const double z : {0.0, 2.0}) {
+        for (const Vec2& p : outline) spec.vertices.emplace_back(p.x(), p.y(), z);
+    }
+    spec.faces.resize(2);
+    for (int i = 0; i < n; ++i) {
+        spec.faces[0].insert(spec.faces[0].begin(), i);
+        spec.faces[1].push_back(n + i);
+        const int j = (i + 1) % n;
+        spec.faces.push_back({i, j, n + j, n + i});
+    }
+    return spec;
+}
+
+/// An arrowhead, whose four corners are no convex polygon, extruded.
+PolyhedronSpec arrowSpec() {
+    PolyhedronSpec spec;
+    const std::vector<Vec2> outline{{0, 0}, {4, -3}, {1, 0}, {4, 3}};
+    for (const double z : {0.0, 2.0}) {
+        for (const Vec2& p : outline) spec.vertices.emplace_back(p.x(), p.y(), z);
+    }
+    spec.faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    return spec;
+}
+
+TEST_F(ExportMesh, CommonReadersTakeTheFaces) {
+    struct Case {
+        PolyhedronSpec spec;
+        std::size_t simple, triangles, polygons;
+    };
+    const std::vector<Case> cases{{boxSpec(Vec3(3, 2, 1)), 6, 12, 6},
+                                  {bracketSpec(), 6 + 8, 12 + 8, 8},
+                                  {arrowSpec(), 4 + 4, 8 + 4, 6},
+                                  {ringSpec(), 8 + 16, 16 + 16, 12}};
+    for (const Case& c : cases) {
+        const Body one = body(c.spec);
+        for (const char* name : {"f.obj", "f.ply"}) {
+            const auto counted = [&](ExportFaces faces) {
+                EXPECT_TRUE(exportBodies({one}, path(name), faces));
+                const Read mesh = name[2] == 'o' ? readObj(path(name)) : readPly(path(name));
+                expectClosed(mesh);
+                EXPECT_NEAR(volumeOf(mesh), one.solid.volume(), 1e-9);
+                return mesh;
+            };
+            const Read simple = counted(ExportFaces::Simple);
+            EXPECT_EQ(simple.faces.size(), c.simple) << name;
+            for (const auto& face : simple.faces) EXPECT_LE(face.size(), 4U);
+            const Read triangles = counted(ExportFaces::Triangles);
+            EXPECT_EQ(triangles.faces.size(), c.triangles) << name;
+            for (const auto& face : triangles.faces) EXPECT_EQ(face.size(), 3U);
+            EXPECT_EQ(counted(ExportFaces::Polygons).faces.size(), c.polygons) << name;
+        }
+    }
+}
+
+/// Triangles of which two corners are one, or whose corners are in a line.
+int degenerate(const Read& mesh) {
+    int count = 0;
+    for (const auto& f : mesh.faces) {
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return mesh.points[static_cast<std::size_t>(f[k])];
+        };
+        count += (at(1) - at(0)).cross(at(2) - at(0)).norm() > 0.0 ? 0 : 1;
+    }
+    return count;
+}
+
+TEST_F(ExportMesh, FarFromTheOriginTheFileHasAnOriginOfItsOwn) {
+    Body far = body(boxSpec(Vec3(30, 20, 10)), somePose());
+    far.pose.translation = Vec3(1e9, -2e9, 0.5);
+    const auto stl = exportBodies({far}, path("far.stl"));
+    ASSERT_TRUE(stl) << stl.error().message;
+    EXPECT_EQ(*stl, "It lies far out: in the file, the origin is at 1000000010 -1999999990 20 mm.");
+    EXPECT_EQ(bytesOf(path("far.stl")).find("Edgewright, mm, origin at 1000000010 -1999999990 20 "),
+              0U);
+    const Read mesh = readStl(path("far.stl"));
+    EXPECT_EQ(degenerate(mesh), 0);
+    EXPECT_NEAR(volumeOf(mesh), 6000.0, 1e-2);
+    const auto ply = exportBodies({far}, path("far.ply"));
+    ASSERT_TRUE(ply);
+    EXPECT_EQ(*ply, *stl);
+    EXPECT_NE(bytesOf(path("far.ply")).find("\ncomment origin at 1000000010 -1999999990 20\n"),
+              std::string::npos);
+    Read moved = readPly(path("far.ply"));
+    for (const Vec3& p : moved.points) EXPECT_LT(p.norm(), 50.0);
+    const auto obj = exportBodies({far}, path("far.obj"));
+    ASSERT_TRUE(obj);
+    EXPECT_EQ(*obj, "");
+    EXPECT_EQ(readObj(path("far.obj")).points[0], far.pose.toWorld(far.solid.vertices()[0]));
+    // Near by its own size, nothing is moved.
+    const auto near = exportBodies({body(boxSpec(Vec3(3, 2, 1)), somePose())}, path("near.stl"));
+    ASSERT_TRUE(near);
+    EXPECT_EQ(*near, "");
+    EXPECT_EQ(bytesOf(path("near.stl")).find("origin"), std::string::npos);
+}
+
+TEST_F(ExportMesh, WhatAFormatCannotHoldIsRefused) {
+    Body far = body(boxSpec(Vec3(30, 20, 10)));
+    far.pose.translation.x() = 1e9;
+    const std::vector<Body> apart{far, body(boxSpec(Vec3(30, 20, 10)))};
+    const auto stl = exportBodies(apart, path("apart.stl"));
+    ASSERT_FALSE(stl);
+    EXPECT_EQ(stl.error().code, Errc::BadValue);
+    EXPECT_EQ(fileCount(), 0U);
+    for (const char* name : {"apart.glb", "apart.3mf", "apart.ply", "apart.obj"}) {
+        EXPECT_TRUE(exportBodies(apart, path(name))) << name;
+    }
+    Body lost = body(boxSpec(Vec3(30, 20, 10)));
+    lost.pose.translation.x() = 1e15;
+    for (const char* name : {"lost.stl", "lost.obj"}) {
+        const auto refused = exportBodies({lost}, path(name));
+        ASSERT_FALSE(refused) << name;
+        EXPECT_EQ(refused.error().code, Errc::BadValue);
     }
 }
 

@@ -285,6 +285,82 @@ TEST(Export3mf, IsAPackageWithAModelInMillimetres) {
     EXPECT_EQ(*threeMfBytes(bodies), *bytes);
 }
 
+/// A body at a place of the world, through the nodes of a glTF file or the items of a 3MF file.
+struct Placed {
+    std::vector<Vec3> own;  ///< its coordinates in the file
+    Vec3 place = Vec3::Zero();
+};
+
+Placed placed(const Glb& glb, std::size_t body) {
+    const auto translation = [&](const json& node) -> Vec3 {
+        if (!node.contains("translation")) return Vec3::Zero();
+        const json& t = node["translation"];
+        return {t[0].get<double>(), t[1].get<double>(), t[2].get<double>()};
+    };
+    const json& root = glb.document["nodes"][0];
+    const json& node = glb.document["nodes"][1 + body];
+    const json& primitive =
+        glb.document["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    // Of the root: metres, y up.
+    const Vec3 t = 1000.0 * translation(root);
+    return {points(glb, primitive["attributes"]["POSITION"]),
+            Vec3(t.x(), -t.z(), t.y()) + translation(node)};
+}
+
+Placed placed(const std::string& package, int body) {
+    const std::string model = unpacked(package, "3D/3dmodel.model");
+    QXmlStreamReader xml(QByteArray(model.data(), static_cast<qsizetype>(model.size())));
+    Placed out;
+    int objects = 0;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement()) continue;
+        const auto value = [&](const char* name) {
+            return xml.attributes().value(QLatin1String(name));
+        };
+        if (xml.name() == QLatin1String("object")) ++objects;
+        if (xml.name() == QLatin1String("vertex") && objects == body + 1) {
+            out.own.emplace_back(value("x").toDouble(), value("y").toDouble(),
+                                 value("z").toDouble());
+        }
+        if (xml.name() == QLatin1String("item") && value("objectid").toInt() == body + 1) {
+            const auto numbers = value("transform").toString().split(' ');
+            if (numbers.size() != 12) continue;
+            EXPECT_EQ(numbers.mid(0, 9).join(' '), QStringLiteral("1 0 0 0 1 0 0 0 1"));
+            out.place = {numbers[9].toDouble(), numbers[10].toDouble(), numbers[11].toDouble()};
+        }
+    }
+    EXPECT_FALSE(xml.hasError());
+    return out;
+}
+
+TEST(ExportPlaces, FarBodiesAreNearTheOriginOfTheFileAndPutBack) {
+    const Shape shape;
+    Shape far = shape;
+    for (Vec3& p : far.positions) p += Vec3(-3e8, 7e8, 11);
+    const std::vector<TriangleMeshView> bodies{shape.view("near"), far.view("far")};
+    const Vec3 origin(1e9, -2e9, 40);
+    const auto gltf = gltfBytes(bodies, {}, origin);
+    const auto threeMf = threeMfBytes(bodies, origin);
+    ASSERT_TRUE(gltf && threeMf);
+    for (int b = 0; b < 2; ++b) {
+        const auto& wanted = b == 0 ? shape.positions : far.positions;
+        for (const Placed& p :
+             {placed(parse(*gltf), static_cast<std::size_t>(b)), placed(*threeMf, b)}) {
+            ASSERT_EQ(p.own.size(), wanted.size());
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                EXPECT_LT(p.own[i].norm(), 100.0);
+                EXPECT_LT((p.own[i] + p.place - origin - wanted[i]).norm(), 1e-5);
+            }
+        }
+    }
+    // Where all is near, nothing is said.
+    const auto plain = gltfBytes({bodies.data(), 1});
+    EXPECT_EQ(plain->find("translation"), std::string::npos);
+    EXPECT_EQ(unpacked(*threeMfBytes({bodies.data(), 1}), "3D/3dmodel.model").find("transform"),
+              std::string::npos);
+}
+
 TEST(Export3mf, RefusesBadMeshes) {
     refusesBadMeshes([](std::span<const TriangleMeshView> bodies) { return threeMfBytes(bodies); });
 }

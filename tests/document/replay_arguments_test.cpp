@@ -7,10 +7,13 @@ namespace ew {
 namespace {
 
 TEST(ReplayArguments, ReadsAll) {
-    const auto a =
-        parseReplayArguments({"s.json", "--out", "o", "--export", "a.obj", "b.stl", "--screenshot",
-                              "p.png", "--size", "800x600", "--report", "r.json", "--until",
-                              "apply:2", "--keep-going", "--templates", "t"});
+    const auto a = parseReplayArguments({"s.json",       "--out",    "o",
+                                         "--export",     "a.obj",    "b.stl",
+                                         "--screenshot", "p.png",    "--size",
+                                         "800x600",      "--report", "r.json",
+                                         "--until",      "apply:2",  "--keep-going",
+                                         "--templates",  "t",        "--allow-outside",
+                                         "--faces",      "polygons"});
     ASSERT_TRUE(a) << a.error().message;
     EXPECT_EQ(a->script, "s.json");
     EXPECT_EQ(a->outFolder, "o");
@@ -21,6 +24,8 @@ TEST(ReplayArguments, ReadsAll) {
     EXPECT_EQ(a->until, "apply:2");
     EXPECT_EQ(a->templates, "t");
     EXPECT_TRUE(a->keepGoing);
+    EXPECT_TRUE(a->allowOutside);
+    EXPECT_EQ(a->faces, ExportFaces::Polygons);
 }
 
 TEST(ReplayArguments, ReadsHowThePictureLooks) {
@@ -41,6 +46,8 @@ TEST(ReplayArguments, HasDefaults) {
     EXPECT_EQ(a->outFolder, ".");
     EXPECT_TRUE(a->exports.isEmpty());
     EXPECT_FALSE(a->keepGoing);
+    EXPECT_FALSE(a->allowOutside);
+    EXPECT_EQ(a->faces, ExportFaces::Simple);
     EXPECT_FALSE(a->size);
 }
 
@@ -72,6 +79,8 @@ TEST(ReplayArguments, RefusesTheRest) {
         {{"s.json", "t.json"}, Errc::BadValue},
         {{"s.json", "--size", "800x600"}, Errc::BadValue},
         {{"s.json", "--dark"}, Errc::BadValue},
+        {{"s.json", "--faces", "round"}, Errc::BadValue},
+        {{"s.json", "--faces"}, Errc::MissingKey},
         {{"s.json", "--screenshot", "p.png", "--size", "800"}, Errc::BadValue},
         {{"s.json", "--screenshot", "p.png", "--size", "8x600"}, Errc::BadValue},
         {{"s.json", "--screenshot", "p.png", "--size", "99999x600"}, Errc::BadValue},

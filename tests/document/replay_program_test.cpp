@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
@@ -12,6 +13,7 @@
 #include "core/document/resources.h"
 #include "core/document/sketch_script.h"
 #include "core/document/store.h"
+#include "tests/document/full_disk.h"
 
 namespace ew {
 namespace {
@@ -33,6 +35,7 @@ class ReplayProgram : public ::testing::Test {
         environment.insert("PATH", path);
         environment.insert("XDG_DATA_HOME", folder_.filePath("data"));
         process.setProcessEnvironment(environment);
+        if (!output_.isEmpty()) process.setStandardOutputFile(output_);
         process.start(QCoreApplication::applicationDirPath() + "/../app/edgewright-replay",
                       arguments);
         EXPECT_TRUE(process.waitForFinished(60'000)) << process.errorString().toStdString();
@@ -49,6 +52,7 @@ class ReplayProgram : public ::testing::Test {
 
     bool exists(const QString& name) const { return QFileInfo(folder_.filePath(name)).isFile(); }
 
+    QString output_;  ///< where what is printed goes to; empty: into the outcome
     QTemporaryDir folder_;
 };
 
@@ -211,6 +215,81 @@ TEST_F(ReplayProgram, SaysWhatAScreenshotNeeds) {
     EXPECT_EQ(r.status, 2);
     EXPECT_NE(r.err.find("not-available"), std::string::npos) << r.err;
     EXPECT_FALSE(exists("p.png"));
+}
+
+TEST_F(ReplayProgram, AFullDiskIsSaidAndLosesNothing) {
+    QDir(folder_.path()).mkdir("disk");
+    const test::SmallDisk disk(folder_.filePath("disk").toStdString());
+    if (!disk.mounted()) GTEST_SKIP() << "a small disk may not be mounted here";
+    script("save.json", R"({"do": "clear"}, {"do": "save", "path": "d.edgewright"})");
+    ASSERT_EQ(run({"save.json", "--out", "disk", "--report", "disk/r.json"}).status, 0);
+    const auto document = readFileBytes(folder_.filePath("disk/d.edgewright"), 1U << 20U);
+    const auto report = readFileBytes(folder_.filePath("disk/r.json"), 1U << 20U);
+    ASSERT_TRUE(document && report);
+    disk.fill();
+    Outcome r = run({"save.json", "--out", "disk"});
+    EXPECT_EQ(r.status, 1);
+    EXPECT_NE(r.err.find("cannot-write"), std::string::npos) << r.err;
+    script("clear.json", R"({"do": "clear"})");
+    r = run({"clear.json", "--report", "disk/r.json"});
+    EXPECT_EQ(r.status, 2);
+    EXPECT_NE(r.err.find("no room left on the disk"), std::string::npos) << r.err;
+    EXPECT_EQ(*readFileBytes(folder_.filePath("disk/d.edgewright"), 1U << 20U), *document);
+    EXPECT_EQ(*readFileBytes(folder_.filePath("disk/r.json"), 1U << 20U), *report);
+}
+
+TEST_F(ReplayProgram, WritesBelowItsOutputFolderOnly) {
+    SketchScript box = drawnBox();
+    box.steps.emplace_back(SaveStep{"mine.edgewright"});
+    box.steps.emplace_back(ExportStep{"notes.obj"});
+    box.steps.emplace_back(OpenStep{"mine.edgewright"});
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("box.json"), writeSketchScript(box)));
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("mine.edgewright"), "mine"));
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("notes.obj"), "notes"));
+    const Outcome r = run({"box.json", "--out", "out"});
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_EQ(*readFileBytes(folder_.filePath("mine.edgewright"), 100), "mine");
+    EXPECT_EQ(*readFileBytes(folder_.filePath("notes.obj"), 100), "notes");
+    EXPECT_TRUE(exists("out/mine.edgewright") && exists("out/notes.obj"));
+
+    const std::string absolute = folder_.filePath("abs.edgewright").toStdString();
+    for (const std::string& path : {absolute, std::string("../up.edgewright")}) {
+        script("away.json", R"({"do": "save", "path": ")" + path + "\"}");
+        const Outcome refused = run({"away.json", "--out", "out"});
+        EXPECT_EQ(refused.status, 1);
+        EXPECT_NE(refused.err.find("--allow-outside"), std::string::npos) << refused.err;
+        EXPECT_FALSE(exists("abs.edgewright") || exists("up.edgewright"));
+    }
+    script("away.json", R"({"do": "save", "path": ")" + absolute +
+                            R"("}, {"do": "save", "path": "../up.edgewright"},
+                               {"do": "open", "path": ")" +
+                            absolute + "\"}");
+    const Outcome allowed = run({"away.json", "--out", "out", "--allow-outside"});
+    EXPECT_EQ(allowed.status, 0) << allowed.err;
+    EXPECT_TRUE(exists("abs.edgewright") && exists("up.edgewright"));
+}
+
+TEST_F(ReplayProgram, SaysWhatAFileOfAnotherKindIs) {
+    const std::string stl = "solid box\nendsolid box\n";
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("bh.stl"), stl));
+    const Outcome r = run({"bh.stl"});
+    EXPECT_EQ(r.status, 2);
+    EXPECT_NE(
+        r.err.find("bh.stl is no Edgewright document or sketch script: it holds an STL mesh."),
+        std::string::npos)
+        << r.err;
+    script("open.json", R"({"do": "open", "path": "bh.stl"})");
+    const Outcome opened = run({"open.json"});
+    EXPECT_EQ(opened.status, 1);
+    EXPECT_NE(opened.err.find("it holds an STL mesh"), std::string::npos) << opened.err;
+    EXPECT_NE(opened.err.find("wrong-format"), std::string::npos) << opened.err;
+}
+
+TEST_F(ReplayProgram, WhatCannotBeToldIsAFailure) {
+    script("ok.json", R"({"do": "clear"})");
+    EXPECT_EQ(run({"ok.json"}).status, 0);
+    output_ = "/dev/full";
+    EXPECT_EQ(run({"ok.json"}).status, 2);
 }
 
 TEST_F(ReplayProgram, HelpsAndTellsItsVersion) {

@@ -178,8 +178,53 @@ TEST(Replay, SavesOpensAndExportsInItsFolders) {
     const auto report = replay(*d, script(steps), {scripts.path(), out.path(), false});
     ASSERT_EQ(report.firstFailure(), nullptr) << report.firstFailure()->error->message;
     EXPECT_EQ(d->state().bodies.size(), 1U);
-    EXPECT_TRUE(QFileInfo(scripts.filePath("kept/a.edgewright")).isFile());
+    EXPECT_TRUE(QFileInfo(out.filePath("kept/a.edgewright")).isFile());
     EXPECT_TRUE(QFileInfo(out.filePath("deep/er/box.obj")).isFile());
+    EXPECT_TRUE(QDir(scripts.path()).isEmpty());
+}
+
+TEST(Replay, OpensWhatItSavedAndElseWhatLiesBesideTheScript) {
+    const QTemporaryDir scripts;
+    const QTemporaryDir out;
+    const auto boxes = [](int count) {
+        std::string steps;
+        for (int i = 0; i < count; ++i) {
+            steps += std::string(kStroke) + R"(, {"do": "apply"}, )";
+        }
+        return steps;
+    };
+    const ReplayOptions options{scripts.path(), out.path(), false};
+    const auto run = [&](const std::string& steps, const ReplayOptions& with) {
+        const auto d = fakeDocument();
+        const auto report = replay(*d, script(steps), with);
+        EXPECT_EQ(report.firstFailure(), nullptr) << report.firstFailure()->error->message;
+        return d->state().bodies.size();
+    };
+    const std::string save = R"({"do": "save", "path": "a.edgewright"})";
+    const std::string open = R"({"do": "open", "path": "a.edgewright"})";
+    run(boxes(1) + save, {{}, scripts.path(), false});
+    run(boxes(2) + save, options);
+    EXPECT_EQ(run(open, {scripts.path(), out.path(), false}), 1U) << "beside the script";
+    EXPECT_EQ(run(boxes(3) + save + R"(, {"do": "undo"}, )" + open, options), 3U) << "just saved";
+    EXPECT_EQ(run(open, {{}, out.path(), false}), 3U);
+}
+
+TEST(Replay, LeavesOutWhatWritesOrOpensFiles) {
+    const QTemporaryDir folder;
+    ReplayOptions options{folder.path(), folder.path(), false};
+    options.leaveOutFiles = true;
+    const auto d = fakeDocument();
+    const auto report = replay(*d, script(std::string(kStroke) + R"(, {"do": "apply"},
+        {"do": "save", "path": "a.edgewright"}, {"do": "export", "path": "/a.obj"},
+        {"do": "open", "path": "none.edgewright"}, {"do": "undo"}, {"do": "redo"})"),
+                               options);
+    ASSERT_EQ(report.firstFailure(), nullptr);
+    ASSERT_EQ(report.steps.size(), 7U);
+    for (const StepReport& step : report.steps) {
+        EXPECT_EQ(step.leftOut, step.index >= 2 && step.index <= 4) << step.index;
+    }
+    EXPECT_EQ(d->state().bodies.size(), 1U);
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 TEST(Report, HasTheKeysOfTheContract) {

@@ -40,7 +40,8 @@ const char* const kEveryStep = R"({
     {"do": "delete_solid"},
     {"do": "undo"}, {"do": "redo", "count": 3},
     {"do": "save", "path": "a.edgewright"}, {"do": "open", "path": "a.edgewright"},
-    {"do": "export", "path": "a.obj"}
+    {"do": "export", "path": "a.obj"},
+    {"do": "export", "path": "a.obj", "faces": "triangles"}
   ]})";
 
 TEST(SketchScript, ReadsEveryStep) {
@@ -50,7 +51,7 @@ TEST(SketchScript, ReadsEveryStep) {
     EXPECT_EQ(script->viewport[1], 480);
     EXPECT_EQ(script->thresholds.distancePx, 10.5);
     EXPECT_EQ(script->thresholds.angleDeg, 8);
-    ASSERT_EQ(script->steps.size(), 23U);
+    ASSERT_EQ(script->steps.size(), 24U);
     const auto& camera = std::get<CameraStep>(script->steps[0]);
     EXPECT_EQ(*camera.center, Vec3(1, 2, 3));
     EXPECT_EQ(*camera.viewport, Vec2(800, 600));
@@ -80,7 +81,7 @@ TEST(SketchScript, WritesBackToTheSameText) {
     ASSERT_TRUE(again) << again.error().message << once;
     EXPECT_EQ(writeSketchScript(*again), once);
     // One step a line, between the seven lines of the head and the two of the end.
-    EXPECT_EQ(std::count(once.begin(), once.end(), '\n'), 7 + 23 + 2);
+    EXPECT_EQ(std::count(once.begin(), once.end(), '\n'), 7 + 24 + 2);
 }
 
 TEST(SketchScript, KeepsAnInlineTemplate) {
@@ -174,6 +175,8 @@ TEST(SketchScript, RefusesBadSteps) {
          "\"template\""},
         {R"({"do": "undo", "count": 0})", Errc::BadValue, "\"count\""},
         {R"({"do": "export", "path": ""})", Errc::BadValue, "\"path\""},
+        {R"({"do": "export", "path": "a.obj", "faces": "few"})", Errc::BadValue, "\"faces\""},
+        {R"({"do": "save", "path": "a", "faces": "simple"})", Errc::UnknownKey, "\"faces\""},
         {R"({"do": "save"})", Errc::MissingKey, "\"path\""},
     };
     for (const BadScript& bad : table) {

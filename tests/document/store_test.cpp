@@ -214,6 +214,80 @@ TEST(Store, AFailedSaveLeavesTheOldFile) {
     EXPECT_TRUE(d->filePath().isEmpty());
 }
 
+TEST(Store, ADocumentIsSavedUnderANameThatItOpensBy) {
+    const QTemporaryDir folder;
+    const auto d = fakeDocument();
+    const std::vector<std::pair<const char*, const char*>> names{
+        {"box", "box.edgewright"},
+        {"bracket v1.2", "bracket v1.2.edgewright"},
+        {"a.obj", "a.obj.edgewright"},
+        {"A.EdgeWright", "A.EdgeWright"}};
+    for (const auto& [given, made] : names) {
+        ASSERT_TRUE(d->save(folder.filePath(given))) << given;
+        EXPECT_EQ(d->filePath(), folder.filePath(made));
+        EXPECT_TRUE(QFileInfo(folder.filePath(made)).isFile());
+        EXPECT_TRUE(fakeDocument()->open(d->filePath()));
+    }
+    const QString last = d->filePath();
+    for (const char* name : {"foo.json", "foo.JSON"}) {
+        const auto refused = d->save(folder.filePath(name));
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, Errc::BadValue);
+        EXPECT_FALSE(QFileInfo::exists(folder.filePath(name)));
+    }
+    EXPECT_EQ(d->filePath(), last);
+}
+
+TEST(Store, KnowsWhetherItsFileWasChangedByOthers) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("d.edgewright");
+    const auto d = fakeDocument();
+    EXPECT_FALSE(d->fileChangedByOthers());
+    ASSERT_TRUE(d->save(path));
+    EXPECT_FALSE(d->fileChangedByOthers());
+    const auto other = fakeDocument();
+    ASSERT_TRUE(other->open(path));
+    ASSERT_TRUE(other->save(path));
+    EXPECT_TRUE(d->fileChangedByOthers());
+    EXPECT_FALSE(other->fileChangedByOthers());
+    ASSERT_TRUE(d->open(path));
+    EXPECT_FALSE(d->fileChangedByOthers());
+    ASSERT_TRUE(QFile::remove(path));
+    EXPECT_FALSE(d->fileChangedByOthers());
+    ASSERT_TRUE(writeFileBytes(path, "another file"));
+    EXPECT_TRUE(d->fileChangedByOthers());
+    d->reset();
+    EXPECT_FALSE(d->fileChangedByOthers());
+}
+
+TEST(Store, SaysWhatAFileOfAnotherKindHolds) {
+    const QTemporaryDir folder;
+    std::string binaryStl(84, '\0');
+    const std::vector<std::pair<std::string, const char*>> table{
+        {"solid x\nendsolid x\n", "an STL mesh"},
+        {binaryStl, "an STL mesh"},
+        {"\x89PNG\r\n", "a picture"},
+        {"PK\x03\x04", "a ZIP package, as 3MF files are"},
+        {"glTF", "a glTF mesh"},
+        {"ply\n", "a PLY mesh"},
+        {"# made by hand\nv 1 2 3\n", "an OBJ mesh"},
+        {"<svg/>", "XML text, as SVG files are"},
+        {"Dear all,", "text of another kind"},
+        {std::string("\x01\0\x02", 3), "data of another kind"},
+        {" \n", "nothing"},
+        {"", "nothing"}};
+    const QString path = folder.filePath("x.edgewright");
+    for (const auto& [bytes, words] : table) {
+        ASSERT_TRUE(writeFileBytes(path, bytes));
+        const auto opened = fakeDocument()->open(path);
+        ASSERT_FALSE(opened);
+        EXPECT_EQ(opened.error().code, Errc::WrongFormat);
+        EXPECT_EQ(opened.error().message,
+                  "x.edgewright is no Edgewright document or sketch script: it holds " +
+                      std::string(words) + ".");
+    }
+}
+
 TEST(Store, KnowsWhetherItIsSaved) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("d.edgewright");

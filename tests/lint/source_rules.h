@@ -29,6 +29,7 @@ inline constexpr int kLongestFile = 500;  ///< [lines]
 /// - Qt in core/document, ui and app only; OpenMesh, CGAL and OpenSubdiv in core/solid and
 ///   core/surface only; VTK in ui/viewport only. A header that includes such a library, itself or
 ///   through others, must not be included outside these folders either (Qt excepted);
+/// - the program writes files through core/document/file_bytes.h only;
 /// - no file is longer than kLongestFile lines; each starts with its licence.
 /// \return findings in file and line order.
 std::vector<Finding> checkSources(const SourceTree& tree);

@@ -107,6 +107,17 @@ TEST(SourceRules, VtkStaysInTheViewport) {
                      "ui/panels/a.cpp:2: VTK is not for this room: vtkActor.h"}));
 }
 
+TEST(SourceRules, FilesAreWrittenInOnePlace) {
+    EXPECT_EQ(findings({{"core/document/file_bytes.cpp", "open(path, O_WRONLY);\n"},
+                        {"tests/document/a.cpp", "std::ofstream(path);\n"},
+                        {"core/tlib/a.cpp", "std::ifstream(path);\n"}}),
+              Texts{});
+    EXPECT_EQ(findings({{"app/a.cpp", "QSaveFile file(path);\n"},
+                        {"ui/actions/a.cpp", "std::ofstream file(path);\n"}}),
+              (Texts{"app/a.cpp:2: QSaveFile: write through writeFileBytes()",
+                     "ui/actions/a.cpp:2: ofstream: write through writeFileBytes()"}));
+}
+
 TEST(SourceRules, FilesAreShortAndLicensed) {
     const std::string lines(kLongestFile - 1, '\n');
     EXPECT_EQ(findings({{"tests/base/a.cpp", lines}}), Texts{});

@@ -117,6 +117,44 @@ TEST_F(Offscreen, ASmallerPictureShowsTheSameThings) {
     EXPECT_LT(distanceOf(image.pixel(175, 150), lightColours().ink), 120.0);
 }
 
+TEST_F(Offscreen, LinesAndGridOfALargePictureAreAsMuchLarger) {
+    auto document = newDocument();
+    drawBox(*document);
+    ASSERT_TRUE(document->apply());
+    addLine(*document, {150, 120}, {450, 160});
+    PictureLook look;
+    look.hiddenEdges = true;
+    const QImage image = picture(*document, {1280, 800}, look);
+    // Not a whole multiple of the size of a tile, nor of the viewport.
+    const QImage large = picture(*document, {4160, 2600}, look);
+    ASSERT_EQ(large.size(), QSize(4160, 2600));
+    const QImage back = large.scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    // What is not background, by how much it is not.
+    const auto ink = [&](const QImage& of, const QRect& area) {
+        double sum = 0.0;
+        for (int y = area.top(); y <= area.bottom(); ++y) {
+            for (int x = area.left(); x <= area.right(); ++x) {
+                sum += distanceOf(of.pixel(x, y), lightColours().background);
+            }
+        }
+        return sum;
+    };
+    const QRect stroke(140, 110, 320, 60);
+    const QRect grid(900, 500, 300, 200);
+    for (const QRect& area : {stroke, grid, image.rect()}) {
+        const double wanted = ink(image, area);
+        ASSERT_GT(wanted, 1000.0);
+        EXPECT_NEAR(ink(back, area) / wanted, 1.0, 0.15) << area.x();
+    }
+    int differ = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            differ += distanceOf(image.pixel(x, y), QColor(back.pixel(x, y))) > 120.0 ? 1 : 0;
+        }
+    }
+    EXPECT_LT(differ, 200) << "px that look otherwise";
+}
+
 TEST_F(Offscreen, WhatCannotBeWrittenIsSaid) {
     auto document = newDocument();
     EXPECT_EQ(renderScreenshot(*document, "/nowhere/at/all.png", {200, 200}).error().code,

@@ -8,47 +8,33 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStandardPaths>
 
-#include "core/document/replay.h"
+#include "core/document/file_bytes.h"
+#include "core/document/file_names.h"
 #include "core/document/resources.h"
 #include "core/document/sketch_script.h"
+#include "core/document/store.h"
 #include "ui/core_text.h"
 #include "ui/panels/message_bar.h"
 #include "ui/theme/themed_icon.h"
+#include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
 
 namespace {
 
-constexpr qint64 kMostScriptBytes = qint64{64} << 20;
-
-Result<QByteArray> readAll(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return fail(Errc::FileNotFound, "The file " + path.toStdString() + " cannot be read: " +
-                                            file.errorString().toStdString() + ".");
-    }
-    if (file.size() > kMostScriptBytes) {
-        return fail(Errc::TooLarge, "The script " + path.toStdString() + " is larger than 64 MiB.");
-    }
-    return file.readAll();
+/// ".ply" of "PLY (*.ply)".
+QString endingOf(const QString& filter) {
+    const auto dot = filter.indexOf(QStringLiteral("(*.")) + 2;
+    return filter.mid(dot, filter.indexOf(QLatin1Char(')')) - dot);
 }
 
-Result<void> writeAll(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        return fail(Errc::CannotWrite, "The file " + path.toStdString() + " cannot be written: " +
-                                           file.errorString().toStdString() + ".");
-    }
-    return {};
-}
-
-QString withExtension(QString path, const QString& extension) {
-    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension;
-    return path;
+QStringList endingsOf(const QString& filters) {
+    QStringList endings;
+    for (const QString& filter : filters.split(QStringLiteral(";;"))) endings << endingOf(filter);
+    return endings;
 }
 
 }  // namespace
@@ -92,6 +78,14 @@ FileActions::FileActions(const WindowContext& context, QWidget* window)
                 return Answer::Cancel;
         }
     };
+    replaceQuestion_ = [this](const QString& sentence) {
+        QMessageBox box(QMessageBox::Warning, tr("Replace the file?"), sentence,
+                        QMessageBox::Cancel, window_);
+        const auto* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
+        box.setDefaultButton(QMessageBox::Cancel);
+        box.exec();
+        return box.clickedButton() == replace;
+    };
     refresh();
 }
 
@@ -103,14 +97,15 @@ void FileActions::fill(QMenu* menu) {
     menu->addSeparator();
     menu->addAction(saveAction);
     QAction* as = menu->addAction(tr("Save &as\u2026"), this, &FileActions::saveAs);
-    as->setShortcut(QKeySequence::SaveAs);
+    // Spelled out: not every desktop has a standard for it.
+    as->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+S")));
     menu->addAction(tr("Save what was done as a s&cript\u2026"), this, &FileActions::saveScript);
     menu->addSeparator();
     menu->addAction(exportAction);
     menu->addAction(tr("S&creenshot\u2026"), this, &FileActions::screenshot);
     menu->addSeparator();
     QAction* quit = menu->addAction(tr("&Quit"), window_, &QWidget::close);
-    quit->setShortcut(QKeySequence::Quit);
+    quit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
 }
 
 void FileActions::fillExamples(QMenu* menu) {
@@ -119,12 +114,16 @@ void FileActions::fillExamples(QMenu* menu) {
     const QDir folder((resources ? *resources : QString()) + QStringLiteral("/examples"));
     for (const QFileInfo& file : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         QString title = file.completeBaseName();
-        if (const auto bytes = readAll(file.filePath())) {
-            const auto script = readSketchScript(bytes->toStdString());
+        if (const auto text = readFileBytes(file.filePath(), kMaxScriptBytes)) {
+            const auto script = readSketchScript(*text);
             if (script && !script->title.empty()) title = coreText(script->title);
         }
         menu->addAction(title, this, [this, path = file.filePath()] {
-            if (mayDiscard()) openPath(path);
+            if (!mayDiscard()) return;
+            // The person's own files are not kept where the examples are.
+            const QString own = folder_;
+            openPath(path);
+            folder_ = own;
         });
     }
     if (menu->isEmpty()) menu->addAction(tr("There are no examples"))->setEnabled(false);
@@ -146,6 +145,34 @@ QString FileActions::startFolder() const {
     return path.isEmpty() ? folder_ : QFileInfo(path).absolutePath();
 }
 
+QString FileActions::proposedName() const {
+    const QString path = context_.document.filePath();
+    if (!path.isEmpty()) return QFileInfo(path).completeBaseName();
+    return scriptName_.isEmpty() ? tr("Untitled") : scriptName_;
+}
+
+QString FileActions::askWhereTo(const SaveDialog& what, QString* filter) {
+    const QStringList endings = endingsOf(what.filters);
+    QString proposed = QDir(startFolder()).filePath(proposedName() + endings.front());
+    while (true) {
+        QFileDialog dialog(window_, what.title, QFileInfo(proposed).absolutePath(), what.filters);
+        dialog.setAcceptMode(QFileDialog::AcceptSave);
+        dialog.setFileMode(QFileDialog::AnyFile);
+        dialog.selectFile(QFileInfo(proposed).fileName());
+        if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+        const QString picked = dialog.selectedFiles().front();
+        const QString chosen = dialog.selectedNameFilter();
+        if (filter != nullptr) *filter = chosen;
+        const QString path = withEnding(picked, endings + what.kept, endingOf(chosen));
+        const bool asked = path == picked;  // by the dialog
+        if (asked || !QFileInfo::exists(path) ||
+            replaceQuestion_(tr("%1 is there already.").arg(QFileInfo(path).fileName()))) {
+            return path;
+        }
+        proposed = path;
+    }
+}
+
 bool FileActions::mayDiscard() {
     if (!context_.document.isModified()) return true;
     switch (question_()) {
@@ -161,6 +188,7 @@ bool FileActions::mayDiscard() {
 
 void FileActions::newDocument() {
     if (!mayDiscard()) return;
+    scriptName_.clear();
     context_.document.reset();
 }
 
@@ -173,31 +201,54 @@ void FileActions::open() {
 }
 
 bool FileActions::openPath(const QString& path) {
-    folder_ = QFileInfo(path).absolutePath();
-    if (QFileInfo(path).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) == 0) {
-        return openScript(path);
-    }
+    const QFileInfo info(path);
+    folder_ = info.absolutePath();
+    const auto text = readFileBytes(path, kMaxDocumentBytes);
+    if (!text) return report(fail(text.error()), {});
+    const std::string name = info.fileName().toStdString();
+    if (auto ok = refuseOtherKinds(name, *text); !ok) return report(ok, {});
+    const FileKind kind = fileKind(*text);
+    const bool script =
+        kind == FileKind::Script || (kind == FileKind::Json && endsWith(path, kScriptEnding));
+    if (script) return openScript(path, *text);
     return report(context_.document.open(path), {});
 }
 
-bool FileActions::openScript(const QString& path) {
-    const auto bytes = readAll(path);
-    if (!bytes) return report(fail(bytes.error()), {});
-    const auto script = readSketchScript(bytes->toStdString());
-    if (!script) return report(fail(script.error()), {});
-    ReplayOptions options;
-    options.scriptFolder = QFileInfo(path).absolutePath();
-    options.outFolder = options.scriptFolder;
-    const ReplayReport result = replay(context_.document, *script, options);
-    if (const StepReport* failed = result.firstFailure()) {
-        const QString text =
-            tr("Step %1 of the script (%2): %3")
-                .arg(failed->index)
-                .arg(QString::fromStdString(failed->name), coreText(failed->error->message));
-        context_.messages.showError({failed->error->code, text.toStdString(), {}});
-        return false;
+bool FileActions::openScript(const QString& path, const std::string& text) {
+    const auto script = readSketchScript(text);
+    const QFileInfo info(path);
+    if (!script) {
+        const std::string name = info.fileName().toStdString();
+        return report(fail(script.error().code, name + ": " + script.error().message), {});
     }
-    return true;
+    ReplayOptions options;
+    options.leaveOutFiles = true;
+    const ReplayReport result = replay(context_.document, *script, options);
+    scriptName_ = info.completeBaseName();
+    return tellReplay(result, *script);
+}
+
+bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& script) {
+    QStringList leftOut;
+    for (const StepReport& step : result.steps) {
+        if (!step.leftOut) continue;
+        const auto file = fileOfStep(script.steps[static_cast<std::size_t>(step.index)]);
+        leftOut << QStringLiteral("%1 (%2 %3)")
+                       .arg(step.index)
+                       .arg(QString::fromStdString(step.name), QString::fromStdString(*file));
+    }
+    QString told;
+    if (!leftOut.isEmpty()) {
+        told = tr("Opening writes no file and opens no other; steps left out: %1.")
+                   .arg(leftOut.join(QStringLiteral(", ")));
+    }
+    const StepReport* failed = result.firstFailure();
+    if (failed == nullptr) return report({}, told);
+    QString text = tr("Step %1 of the script (%2): %3")
+                       .arg(failed->index)
+                       .arg(QString::fromStdString(failed->name), coreText(failed->error->message));
+    if (!told.isEmpty()) text += ' ' + told;
+    return report(fail(failed->error->code, text.toStdString()), {});
 }
 
 bool FileActions::save() {
@@ -207,64 +258,64 @@ bool FileActions::save() {
 
 bool FileActions::saveAs() {
     const QString path =
-        withExtension(QFileDialog::getSaveFileName(window_, tr("Save as"), startFolder(),
-                                                   tr("Edgewright document (*.edgewright)")),
-                      QStringLiteral(".edgewright"));
+        askWhereTo({tr("Save as"), tr("Edgewright document (*.edgewright)"), {kScriptEnding}});
     return !path.isEmpty() && saveTo(path);
 }
 
 bool FileActions::saveTo(const QString& path) {
-    return report(context_.document.save(path), tr("Saved to %1.").arg(path));
+    Document& document = context_.document;
+    if (QFileInfo(path) == QFileInfo(document.filePath()) && document.fileChangedByOthers() &&
+        !replaceQuestion_(tr("%1 was changed by another window or program since it was opened or "
+                             "saved here. Replacing it loses these changes.")
+                              .arg(QFileInfo(path).fileName()))) {
+        context_.messages.showNotice(tr("Not saved; \u201cSave as\u201d keeps both."));
+        return false;
+    }
+    if (!report(document.save(path), {})) return false;
+    return report({}, tr("Saved to %1.").arg(document.filePath()));
 }
 
 void FileActions::saveScript() {
     const QString path =
-        withExtension(QFileDialog::getSaveFileName(window_, tr("Save what was done as a script"),
-                                                   startFolder(), tr("Sketch script (*.json)")),
-                      QStringLiteral(".json"));
+        askWhereTo({tr("Save what was done as a script"), tr("Sketch script (*.json)"), {}});
     if (!path.isEmpty()) saveScriptTo(path);
 }
 
 bool FileActions::saveScriptTo(const QString& path) {
     const std::string text = writeSketchScript(context_.document.recordedScript());
-    return report(writeAll(path, QByteArray::fromStdString(text)),
-                  tr("Script saved to %1.").arg(path));
+    return report(writeFileBytes(path, text), tr("Script saved to %1.").arg(path));
 }
 
 void FileActions::exportSolid() {
-    QString filter;
-    QString path = QFileDialog::getSaveFileName(
-        window_, tr("Export"), startFolder(),
-        tr("Wavefront OBJ (*.obj);;STL, binary (*.stl);;PLY (*.ply);;glTF, binary (*.glb);;"
-           "3MF (*.3mf)"),
-        &filter);
+    const QString triangles = tr("Wavefront OBJ, triangles only (*.obj)");
+    const QString polygons = tr("Wavefront OBJ, whole faces (*.obj)");
+    const QString filters =
+        tr("Wavefront OBJ (*.obj);;STL, binary (*.stl);;PLY (*.ply);;glTF, "
+           "binary (*.glb);;3MF (*.3mf)");
+    QString chosen;
+    const QString path = askWhereTo(
+        {tr("Export"), QStringList{filters, triangles, polygons}.join(QStringLiteral(";;")), {}},
+        &chosen);
     if (path.isEmpty()) return;
-    // "STL, binary (*.stl)" names its extension.
-    const auto dot = filter.indexOf(QStringLiteral("(*.")) + 2;
-    exportTo(withExtension(path, filter.mid(dot, filter.indexOf(QLatin1Char(')')) - dot)));
+    exportTo(path, chosen == triangles  ? ExportFaces::Triangles
+                   : chosen == polygons ? ExportFaces::Polygons
+                                        : ExportFaces::Simple);
 }
 
-bool FileActions::exportTo(const QString& path) {
-    return report(context_.document.exportTo(path), tr("Exported to %1.").arg(path));
+bool FileActions::exportTo(const QString& path, ExportFaces faces) {
+    const auto note = context_.document.exportTo(path, faces);
+    if (!note) return report(fail(note.error()), {});
+    return report({}, (tr("Exported to %1.").arg(path) + ' ' + coreText(*note)).trimmed());
 }
 
 void FileActions::screenshot() {
-    const QString path = withExtension(
-        QFileDialog::getSaveFileName(window_, tr("Screenshot"), startFolder(), tr("PNG (*.png)")),
-        QStringLiteral(".png"));
+    const QString path = askWhereTo({tr("Screenshot"), tr("PNG (*.png)"), {}});
     if (!path.isEmpty()) screenshotTo(path);
 }
 
 bool FileActions::screenshotTo(const QString& path) {
     const QImage image = context_.viewport.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit()) {
-        return report(fail(Errc::CannotWrite,
-                           "The picture " + path.toStdString() +
-                               " cannot be written: " + file.errorString().toStdString() + "."),
-                      {});
-    }
-    return report({}, tr("Picture saved to %1.").arg(path));
+    return report(writePicture(image, path), tr("Picture saved to %1.").arg(path));
 }
 
 }  // namespace ew

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 
+#include "core/document/replay.h"
 #include "ui/window_context.h"
 
 class QAction;
@@ -24,18 +25,23 @@ class FileActions : public QObject {
     /// Fills the File menu. Examples are looked for when their menu opens.
     void fill(QMenu* menu);
 
-    /// A document, or a sketch script (.json) that is replayed into an empty document. Says why in
-    /// the message bar where it fails.
+    /// A document, or a sketch script that is replayed into an empty document; the content tells
+    /// which. Nothing is written: steps that write or open files are left out, and told. Says why
+    /// in the message bar where it fails.
     bool openPath(const QString& path);
+    /// Asks first where someone else changed the document's file meanwhile.
     bool saveTo(const QString& path);
     bool saveScriptTo(const QString& path);
-    bool exportTo(const QString& path);
+    bool exportTo(const QString& path, ExportFaces faces = ExportFaces::Simple);
     bool screenshotTo(const QString& path);
 
     /// Asks about unsaved changes where there are any; false: do not go on.
     bool mayDiscard();
     /// How mayDiscard() asks; a message box unless set.
     void setQuestion(std::function<Answer()> question) { question_ = std::move(question); }
+    /// How it is asked whether a file may be replaced; the sentence says which and why.
+    using ReplaceQuestion = std::function<bool(const QString& sentence)>;
+    void setReplaceQuestion(ReplaceQuestion question) { replaceQuestion_ = std::move(question); }
 
     QAction* newAction;
     QAction* openAction;
@@ -51,15 +57,29 @@ class FileActions : public QObject {
     void exportSolid();
     void screenshot();
     void fillExamples(QMenu* menu);
-    bool openScript(const QString& path);
+    struct SaveDialog {
+        QString title;
+        QString filters;   ///< each with its ending, as in "PLY (*.ply)"
+        QStringList kept;  ///< endings that are left as they are, beside those of the filters
+    };
+    /// Asks for a file to write. A name without one of the endings gets that of the filter; where
+    /// this makes it the name of a file that is there, that is asked about, as the dialog does for
+    /// names that are typed whole. \param filter  set to the filter that was chosen.
+    QString askWhereTo(const SaveDialog& what, QString* filter = nullptr);
+    bool openScript(const QString& path, const std::string& text);
+    bool tellReplay(const ReplayReport& result, const SketchScript& script);
     void refresh();
     QString startFolder() const;
+    /// A name for what is there, without an ending.
+    QString proposedName() const;
     bool report(const Result<void>& result, const QString& done);
 
     WindowContext context_;
     QWidget* window_;
     std::function<Answer()> question_;
+    ReplaceQuestion replaceQuestion_;
     QString folder_;
+    QString scriptName_;  ///< of the script that was opened last, without its ending
 };
 
 }  // namespace ew

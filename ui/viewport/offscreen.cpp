@@ -6,12 +6,12 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QPainter>
-#include <QSaveFile>
 #include <algorithm>
 
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/frame_renderer.h"
 #include "ui/viewport/ink_layer.h"
+#include "ui/viewport/picture_file.h"
 #include "ui/viewport/reading_overlay.h"
 #include "ui/viewport/scene.h"
 #include "ui/viewport/sketch_plane.h"
@@ -36,18 +36,30 @@ int finerBy(int mostPx) {
     return 2 * mostPx <= kOcclusionLargest ? 2 : 1;
 }
 
-/// Draws a part of the picture. \param finer  px that are drawn for one of the picture, each way.
-/// \return false where OpenGL cannot.
-bool drawTile(FrameRenderer& renderer, const QRect& tile, int finer, const PictureLook& look,
-              QImage& image) {
-    const QSize size = tile.size() * finer;
-    renderer.resize(size, finer);
+/// How the px of a picture relate to those of the viewport that it shows.
+struct Weight {
+    double pxPerViewPx = 1.0;  ///< lines, dashes and grid grow with it, so that they look the same
+    int finer = 1;             ///< px that are drawn for one of the picture, each way
+};
+
+/// Where the picture is larger than the viewport, all that is measured in px grows with it; in a
+/// smaller one it would be too thin to be seen.
+double weightOf(const OrthographicCamera& viewport, const QSize& size) {
+    const OrthographicCamera scaled = scaleCamera(viewport, size.width(), size.height());
+    return std::max(1.0, viewport.worldPerPixel / scaled.worldPerPixel);
+}
+
+/// Draws a part of the picture. \return false where OpenGL cannot.
+bool drawTile(FrameRenderer& renderer, const QRect& tile, const Weight& weight,
+              const PictureLook& look, QImage& image) {
+    const QSize size = tile.size() * weight.finer;
+    renderer.resize(size, weight.finer * weight.pxPerViewPx);
     QOpenGLFramebufferObject target(size, QOpenGLFramebufferObject::CombinedDepthStencil);
     if (!target.isValid()) return false;
     renderer.render(target.handle(), look.transparent);
     QImage drawn = target.toImage();
     if (drawn.isNull()) return false;
-    if (finer > 1) {
+    if (weight.finer > 1) {
         drawn = drawn.scaled(tile.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     }
     QPainter painter(&image);
@@ -56,8 +68,10 @@ bool drawTile(FrameRenderer& renderer, const QRect& tile, int finer, const Pictu
     return true;
 }
 
+/// \param camera  of the viewport as the picture shows it; a px of it is `pxPerViewPx` of the
+/// picture.
 Result<QImage> renderScene(const Document& document, const OrthographicCamera& camera, QSize size,
-                           const PictureLook& look) {
+                           double pxPerViewPx, const PictureLook& look) {
     QOffscreenSurface surface;
     surface.create();
     QOpenGLContext context;
@@ -87,12 +101,13 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
     // Occlusion has no samples within a px, and comes from everything around.
     const int most = std::max(size.width(), size.height());
     const int step = look.occlusion ? most : kTilePx;
-    const int finer = look.occlusion ? finerBy(most) : 1;
+    const Weight weight{pxPerViewPx, look.occlusion ? finerBy(most) : 1};
     for (int y = 0; drawn && y < size.height(); y += step) {
         for (int x = 0; drawn && x < size.width(); x += step) {
             const QRect tile = all & QRect(x, y, step, step);
-            scene.setTile(tile);
-            drawn = drawTile(renderer, tile, finer, look, image);
+            scene.setTile(
+                QRectF(QPointF(tile.topLeft()) / pxPerViewPx, QSizeF(tile.size()) / pxPerViewPx));
+            drawn = drawTile(renderer, tile, weight, look, image);
         }
     }
     renderer.finish();
@@ -104,7 +119,7 @@ Result<QImage> renderScene(const Document& document, const OrthographicCamera& c
 }
 
 void paintInk(QPainter& painter, const Document& document, const OrthographicCamera& camera,
-              const ThemeColours& colours, QSize size) {
+              const ThemeColours& colours, const QSizeF& size) {
     const auto& strokes = document.pendingStrokes();
     if (strokes.empty()) return;
     const Interpretation& reading = document.interpretation();
@@ -138,18 +153,16 @@ Result<void> renderScreenshot(const Document& document, const QString& path, QSi
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) {
         return fail(Errc::NotAvailable, "A picture needs a display.");
     }
-    const OrthographicCamera camera = scaleCamera(document.camera(), size.width(), size.height());
-    auto image = renderScene(document, camera, size, look);
+    const double weight = weightOf(document.camera(), size);
+    const QSizeF seen = QSizeF(size) / weight;
+    const OrthographicCamera camera = scaleCamera(document.camera(), seen.width(), seen.height());
+    auto image = renderScene(document, camera, size, weight, look);
     if (!image) return fail(image.error());
     QPainter painter(&*image);
-    paintInk(painter, document, camera, coloursOf(look), size);
+    painter.scale(weight, weight);
+    paintInk(painter, document, camera, coloursOf(look), seen);
     painter.end();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !image->save(&file, "PNG") || !file.commit()) {
-        return fail(Errc::CannotWrite, "The picture could not be written to " + path.toStdString() +
-                                           ": " + file.errorString().toStdString());
-    }
-    return {};
+    return writePicture(*image, path);
 }
 
 }  // namespace ew

@@ -87,7 +87,7 @@ struct Scene::Private {
     double dashMm = 0.0;
     double scale = 1.0;
     int occlusionSamples = 0;
-    QRect tile;
+    QRectF tile;
     bool gridVisible = true;
     bool hiddenVisible = false;
     bool cageVisible = false;
@@ -119,8 +119,7 @@ struct Scene::Private {
     void updateCamera() {
         vtkCamera* c = renderer->GetActiveCamera();
         c->ParallelProjectionOn();
-        const QRectF part =
-            tile.isEmpty() ? QRectF(0, 0, camera.width, camera.height) : QRectF(tile);
+        const QRectF part = tile.isEmpty() ? QRectF(0, 0, camera.width, camera.height) : tile;
         const Vec3 centre = camera.unproject(Vec2(part.center().x(), part.center().y())) - origin;
         const double seen = camera.worldPerPixel * std::max(camera.width, camera.height);
         const double gridReach = 1.5 * kGridCells * layout.spacing;
@@ -368,7 +367,7 @@ void Scene::setCageVisible(bool on) {
     d_->changed = true;
 }
 
-void Scene::setTile(const QRect& tile) {
+void Scene::setTile(const QRectF& tile) {
     if (tile == d_->tile) return;
     d_->tile = tile;
     d_->updateCamera();

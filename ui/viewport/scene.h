@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRect>
+#include <QRectF>
 #include <memory>
 #include <vector>
 
@@ -33,7 +33,7 @@ class Scene {
     /// Shows the cage over surfaces.
     void setCageVisible(bool on);
     /// Draws only this part of the camera's viewport [px]; an empty one: all of it.
-    void setTile(const QRect& tile);
+    void setTile(const QRectF& tile);
     /// Nothing behind the bodies, not even the grid.
     void setTransparent(bool on);
     void setCamera(const OrthographicCamera& camera);
