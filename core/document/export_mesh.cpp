@@ -13,11 +13,11 @@
 #include <map>
 #include <optional>
 
+#include "core/base/tolerance.h"
 #include "core/document/export_3mf.h"
 #include "core/document/export_gltf.h"
 #include "core/document/export_place.h"
 #include "core/document/file_bytes.h"
-#include "core/base/tolerance.h"
 
 namespace ew {
 namespace {

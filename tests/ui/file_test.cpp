@@ -40,7 +40,7 @@ void inDialogs(std::vector<Deed> deeds, const std::function<void()>& action) {
         deeds[done++](*dialog);
         last = nullptr;
     });
-    timer.start(0);
+    timer.start(10);
     action();
     EXPECT_EQ(done, deeds.size()) << "dialogs that opened";
 }
@@ -54,8 +54,8 @@ QLineEdit& nameField(QDialog& dialog) {
 Deed typeName(const QString& name) {
     return [name](QDialog& dialog) {
         QLineEdit& field = nameField(dialog);
-        field.selectAll();
-        QTest::keyClicks(&field, name);
+        // At once: while a path is typed, the dialog selects the folders on the way.
+        field.setText(name);
         QTest::keyClick(&field, Qt::Key_Return);
     };
 }
@@ -125,6 +125,8 @@ TEST_F(Files, ADotInANameIsNoExtension) {
     EXPECT_TRUE(window_->windowTitle().startsWith("bracket v1.2"));
     inDialogs({typeName(path("bracket v1.2"))}, [&] { trigger("Export"); });
     EXPECT_TRUE(QFileInfo(path("bracket v1.2.obj")).isFile());
+    // The dialog would take the file that it proposes, which it finds, for what is set as text.
+    ASSERT_TRUE(QFile::remove(path("bracket v1.2.obj")));
     inDialogs({typeName(path("bracket v1.2.STL"))}, [&] { trigger("Export"); });
     EXPECT_TRUE(QFileInfo(path("bracket v1.2.STL")).isFile());
 }
@@ -189,11 +191,11 @@ TEST_F(Files, AFileThatOthersChangedIsNotReplacedUnasked) {
     const std::string theirs = bytesOf("box.edgewright");
     drawLine(Hand::Mouse, {100, 150}, {200, 150});
     inDialogs({giveUp}, [&] { key(Qt::Key_S, Qt::ControlModifier); });
-    EXPECT_EQ(bytesOf("box.edgewright"), theirs);
+    EXPECT_TRUE(bytesOf("box.edgewright") == theirs);
     EXPECT_TRUE(document().isModified());
     EXPECT_NE(said().find("Not saved"), std::string::npos) << said();
-    inDialogs({replaceIt}, [&] { key(Qt::Key_S, Qt::ControlModifier); });
-    EXPECT_NE(bytesOf("box.edgewright"), theirs);
+    inDialogs({replaceIt}, [&] { trigger("Save"); });
+    EXPECT_TRUE(bytesOf("box.edgewright") != theirs);
     EXPECT_FALSE(document().isModified());
 }
 
