@@ -172,15 +172,57 @@ void Document::clearStrokes() {
 
 const std::vector<PendingStroke>& Document::pendingStrokes() const { return d_->ink.strokes(); }
 
+namespace {
+
+/// Marks the steps that take back an ink change which the recorder does not know.
+int serialOfRemoval(int inkSerial) { return -2 - inkSerial; }
+
+}  // namespace
+
 bool Document::undoInk() {
-    const auto serial = d_->ink.undoLast();
-    if (!serial) return false;
-    d_->recorder.dropInk(*serial);
+    const InkChange* change = d_->ink.newest();
+    if (change == nullptr) return false;
+    const int serial = change->serial;
+    if (const int steps = d_->recorder.inkSteps(serial); steps > 0) {
+        if (!d_->recorder.dropInk(serial)) d_->record(UndoStep{steps, true});
+    } else {
+        // Of a file that was opened: such a change only ever adds strokes.
+        for (auto& [step, camera] : removalSteps(d_->ink, change->added, d_->view)) {
+            d_->recorder.record(std::move(step), {camera, d_->view.thresholds},
+                                serialOfRemoval(serial));
+        }
+    }
+    d_->ink.undoLast();
     d_->inkChanged();
     return true;
 }
 
-bool Document::canUndoInk() const { return d_->ink.canUndo(); }
+bool Document::canUndoInk() const { return d_->ink.newest() != nullptr; }
+
+bool Document::redoInk() {
+    const InkChange* change = d_->ink.newestUndone();
+    if (change == nullptr) return false;
+    const int serial = change->serial;
+    if (const int steps = d_->recorder.inkSteps(serial); steps > 0) {
+        d_->record(RedoStep{steps, true});
+    } else if (!d_->recorder.putInkBack(serial) && !d_->recorder.dropInk(serialOfRemoval(serial))) {
+        for (const PendingStroke& s : change->withdrawn) {
+            d_->recorder.record(strokeStep(s.stroke), {s.camera, d_->view.thresholds}, serial);
+        }
+    }
+    d_->ink.redoLast();
+    d_->inkChanged();
+    return true;
+}
+
+bool Document::canRedoInk() const { return d_->ink.newestUndone() != nullptr; }
+
+bool Document::withdrawInk() {
+    if (!undoInk()) return false;
+    d_->ink.forgetUndone();
+    d_->emitChange(DocumentChange::Ink);
+    return true;
+}
 
 // View and thresholds
 // -------------------------------------------------------------------------------

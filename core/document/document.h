@@ -109,9 +109,17 @@ class Document : public QObject {
     void removeStrokes(const std::vector<int>& ids);
     void clearStrokes();
     const std::vector<PendingStroke>& pendingStrokes() const;
-    /// Takes back the newest ink change (stroke added, erased, cleared) since the last command.
+    /// Takes back the newest ink change (stroke added, erased, cleared) since the newest command. A
+    /// command that is undone brings the changes before it back, so that undoing ink where there is
+    /// some, and else a step, goes back in one line of time.
     bool undoInk();
     bool canUndoInk() const;
+    /// Does again what undoInk() took back, until the ink changes in another way or a new command
+    /// comes. Going forward, ink comes before the step.
+    bool redoInk();
+    bool canRedoInk() const;
+    /// As undoInk(), for a gesture that is given up: nothing to do again is left of it.
+    bool withdrawInk();
 
     // View and thresholds -------------------------------------------------------------------------
     const OrthographicCamera& camera() const;
@@ -144,7 +152,8 @@ class Document : public QObject {
 
     // Commands
     // ----------------------------------------------------------------------------------------
-    /// Makes or changes the solid from the pending strokes; they are consumed only if it succeeds.
+    /// Makes or changes the solid from the pending strokes. Only if it succeeds, and only those
+    /// that the chosen candidate explains are consumed (Candidate::unusedStrokes stay pending).
     Result<ApplyOutcome> apply(const ApplyRequest& request = {});
     /// What the newest apply read, for the other readings: while it is still the newest command,
     /// nothing was drawn since and the thresholds stand; read again where the oblique factor moved.
@@ -190,6 +199,10 @@ class Document : public QObject {
 
     Result<void> undo(int count = 1);
     Result<void> redo(int count = 1);
+    /// Goes back or forward along the line of time, with all ink on the way, to right after a step
+    /// (forward) or to right before the next one (back). \param index  steps that are done then.
+    /// Errc::BadValue.
+    Result<void> goToStep(int index);
     QUndoStack& undoStack() const;
 
     // Files

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/json_text.h"
+#include "core/document/step_names.h"
 #include "core/document/template_from_solid.h"
 
 namespace ew {
@@ -16,19 +17,20 @@ namespace ew {
 StateCommand::StateCommand(Document::Private& document, const QString& name,
                            std::shared_ptr<const DocumentState> stateBefore,
                            std::shared_ptr<const DocumentState> stateAfter)
-    : QUndoCommand(name),
+    : QUndoCommand(shownStepName(name)),
+      english(name),
       before(std::move(stateBefore)),
       after(std::move(stateAfter)),
       document_(document) {}
 
 void StateCommand::undo() {
     document_.state = before;
-    document_.ink.restore(consumed);
+    inkAfter = document_.ink.restore(consumed, inkBefore);
 }
 
 void StateCommand::redo() {
     document_.state = after;
-    document_.ink.consume(consumed);
+    document_.ink.consume(consumed, inkBefore, std::exchange(inkAfter, {}));
 }
 
 // Private: the stack
@@ -41,6 +43,7 @@ void Document::Private::push(const QString& name, std::shared_ptr<const Document
     auto* command = new StateCommand(*this, name, before, std::move(after));  // the stack owns it
     const bool tookInk = !consumed.empty();
     command->consumed = std::move(consumed);
+    command->inkBefore = ink.takeHistory();
     command->memory = std::move(memory);
     movingStack = true;
     stack.push(command);
@@ -101,12 +104,9 @@ void Document::Private::onStackMoved(int index) {
 
 namespace {
 
-/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism"; translated where the window
-/// has a translation for the name, which is then as it stands in a sentence.
+/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism".
 QString inSentence(const std::string& name) {
     const QString text = QString::fromStdString(name);
-    const QString translated = QCoreApplication::translate("Core", name.c_str());
-    if (translated != text) return translated;
     const bool word = text.size() > 1 && text[1].isLower();
     return word ? text.left(1).toLower() + text.mid(1) : text;
 }
@@ -156,12 +156,33 @@ QString commandName(const Candidate& candidate) {
     const QString name = inSentence(candidate.templateName);
     switch (candidate.operation) {
         case Operation::Add:
-            return Document::tr("Add %1").arg(name);
+            return QStringLiteral("Add %1").arg(name);
         case Operation::Cut:
-            return Document::tr("Cut %1").arg(name);
+            return QStringLiteral("Cut %1").arg(name);
         default:
-            return Document::tr("Create %1").arg(name);
+            return QStringLiteral("Create %1").arg(name);
     }
+}
+
+std::vector<int> idsOf(const std::vector<PendingStroke>& strokes) {
+    std::vector<int> ids;
+    for (const PendingStroke& s : strokes) ids.push_back(s.id);
+    return ids;
+}
+
+/// The strokes that a candidate explains; the others stay.
+/// \param readIds  of the strokes that it was read from.
+std::vector<PendingStroke> explainedBy(const Candidate& candidate, const std::vector<int>& readIds,
+                                       std::vector<PendingStroke> strokes) {
+    std::vector<int> stay;
+    for (const int i : candidate.unusedStrokes) {
+        const bool known = i >= 0 && static_cast<std::size_t>(i) < readIds.size();
+        if (known) stay.push_back(readIds[static_cast<std::size_t>(i)]);
+    }
+    std::erase_if(strokes, [&](const PendingStroke& s) {
+        return std::find(stay.begin(), stay.end(), s.id) != stay.end();
+    });
+    return strokes;
 }
 
 ApplyStep applyStep(const ApplyRequest& request) {
@@ -213,12 +234,14 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
     memory->outcome = {reading, *chosen};
     memory->thresholds = d_->view.thresholds;
     memory->appliedFactor = memory->readFactor = *request.obliqueFactor;
+    memory->strokeIds = idsOf(d_->ink.strokes());
     ApplyOutcome outcome = memory->outcome;
     const QString name = commandName(candidate);
+    auto consumed = explainedBy(candidate, memory->strokeIds, d_->ink.strokes());
 
     d_->record(applyStep(request));
     d_->obliqueFactor = *request.obliqueFactor;
-    d_->push(name, *std::move(after), d_->ink.strokes(), std::move(memory));
+    d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
     return outcome;
 }
 
@@ -233,6 +256,7 @@ const ApplyOutcome* Document::lastApply() const {
         memory->outcome.interpretation =
             d_->read(command->consumed, request, command->before->bodies);
         memory->readFactor = d_->obliqueFactor;
+        memory->strokeIds = idsOf(command->consumed);
         const auto count = memory->outcome.interpretation.candidates.size();
         if (memory->outcome.chosen >= static_cast<int>(count)) memory->outcome.chosen = -1;
     }
@@ -267,7 +291,8 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     d_->movingStack = false;
     d_->record(UndoStep{});
     d_->record(applyStep(memory->request));
-    d_->push(name, *std::move(after), d_->ink.strokes(), std::move(memory));
+    auto consumed = explainedBy(reading, memory->strokeIds, d_->ink.strokes());
+    d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
     // push() compared with the state before the solid; the one on screen changed in any case.
     return outcome;
 }
@@ -347,7 +372,7 @@ Result<std::shared_ptr<const DocumentState>> withTemplate(const DocumentState& b
 }
 
 QString defineName(const std::string& name) {
-    return Document::tr("Define template \u201c%1\u201d").arg(QString::fromStdString(name));
+    return QStringLiteral("Define template \u201c%1\u201d").arg(QString::fromStdString(name));
 }
 
 }  // namespace
@@ -380,7 +405,7 @@ Result<void> Document::deleteBodies() {
     after->surface = {};
     after->mapped.clear();
     d_->record(DeleteSolidStep{});
-    d_->push(tr("Delete solid"), std::move(after), {});
+    d_->push(QStringLiteral("Delete solid"), std::move(after), {});
     return {};
 }
 
@@ -412,6 +437,23 @@ Result<void> Document::redo(int count) {
                     left == 0 ? "There is nothing to redo." : onlySo(left) + " to redo.");
     }
     d_->stack.setIndex(d_->stackIndex + count);
+    return {};
+}
+
+Result<void> Document::goToStep(int index) {
+    if (index < 0 || index > d_->stack.count()) {
+        return fail(Errc::BadValue, "There is no such step in the history.");
+    }
+    while (d_->stackIndex > index) {
+        while (undoInk()) {
+        }
+        (void)undo();
+    }
+    while (d_->stackIndex < index) {
+        while (redoInk()) {
+        }
+        (void)redo();
+    }
     return {};
 }
 

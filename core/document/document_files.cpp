@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <unordered_set>
+
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/export_mesh.h"
@@ -7,15 +11,53 @@
 
 namespace ew {
 
+namespace {
+
+/// In the order of drawing.
+std::vector<PendingStroke> merged(std::vector<PendingStroke> a,
+                                  const std::vector<PendingStroke>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    std::sort(a.begin(), a.end(),
+              [](const PendingStroke& x, const PendingStroke& y) { return x.id < y.id; });
+    return a;
+}
+
+/// What a command left of the ink that was drawn before it and since the command before.
+/// \param later  strokes that are pending now or were used later, by id.
+std::vector<PendingStroke> leftBy(const StateCommand& command,
+                                  const std::map<int, const PendingStroke*>& later) {
+    std::unordered_set<int> used;
+    for (const PendingStroke& p : command.consumed) used.insert(p.id);
+    std::vector<PendingStroke> left;
+    for (const InkChange& change : command.inkBefore) {
+        for (const int id : change.added) {
+            const auto found = later.find(id);
+            if (found != later.end() && !used.contains(id)) left.push_back(*found->second);
+        }
+    }
+    return merged(std::move(left), {});
+}
+
+}  // namespace
+
 void Document::Private::adopt(DocumentFile file) {
     movingStack = true;
     stack.clear();
+    std::vector<PendingStroke> waiting = file.pending;
+    std::unordered_set<int> drawn;
     // Pushing runs each command, which leads through the states from first to last.
     state = file.states.front();
     for (std::size_t i = 0; i < file.commands.size(); ++i) {
         auto* command = new StateCommand(*this, QString::fromStdString(file.commands[i].name),
                                          file.states[i], file.states[i + 1]);
         command->consumed = std::move(file.commands[i].consumed);
+        // Each stroke was drawn before the first step that used it or left it.
+        const auto known = [&](const PendingStroke& p) { return drawn.contains(p.id); };
+        std::vector<PendingStroke> before = merged(command->consumed, file.commands[i].left);
+        std::erase_if(before, known);
+        for (const PendingStroke& p : before) drawn.insert(p.id);
+        if (static_cast<int>(i) < file.index) std::erase_if(waiting, known);
+        command->inkBefore = ink.drawn(before);
         stack.push(command);
     }
     stack.setIndex(file.index);
@@ -24,7 +66,7 @@ void Document::Private::adopt(DocumentFile file) {
     stack.setClean();
 
     state = file.states[static_cast<std::size_t>(file.index)];
-    ink.reset(std::move(file.pending), file.nextStrokeId);
+    ink.reset(std::move(file.pending), file.nextStrokeId, ink.drawn(waiting));
     view = {file.camera, file.thresholds};
     obliqueFactor = file.obliqueFactor;
     recorder = Recorder::fromScript(file.script);
@@ -46,8 +88,18 @@ Result<void> Document::save(const QString& wanted) {
     for (int i = 0; i < stack.count(); ++i) {
         const auto* command = static_cast<const StateCommand*>(stack.command(i));
         file.states.push_back(command->before);
-        file.commands.push_back({command->text().toStdString(), command->consumed});
+        file.commands.push_back({command->english.toStdString(), command->consumed});
         if (i + 1 == stack.count()) file.states.push_back(command->after);
+    }
+    std::map<int, const PendingStroke*> later;
+    const auto note = [&](const std::vector<PendingStroke>& strokes) {
+        for (const PendingStroke& p : strokes) later[p.id] = &p;
+    };
+    note(d_->ink.strokes());
+    for (int i = stack.count(); i-- > 0;) {
+        const auto* command = static_cast<const StateCommand*>(stack.command(i));
+        file.commands[static_cast<std::size_t>(i)].left = leftBy(*command, later);
+        note(command->consumed);
     }
     if (file.states.empty()) file.states.push_back(d_->state);
     file.index = d_->stackIndex;

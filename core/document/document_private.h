@@ -27,6 +27,7 @@ struct ApplyMemory {
     Thresholds thresholds;
     double appliedFactor = kDefaultObliqueFactor;  ///< k of the solid that was made
     double readFactor = kDefaultObliqueFactor;     ///< k of outcome.interpretation
+    std::vector<int> strokeIds;                    ///< of the strokes that it was read from
 };
 
 struct Document::Private {
@@ -77,7 +78,8 @@ struct Document::Private {
     std::function<Interpretation()> task(const std::vector<PendingStroke>& strokes,
                                          const ApplyRequest& request,
                                          const std::vector<Body>& bodies) const;
-    /// Pushes a command that leads to `after` and takes `consumed` away.
+    /// Pushes a command that leads to `after` and takes `consumed` away. \param name  in English,
+    /// one that shownStepName() knows; so in Change.
     void push(const QString& name, std::shared_ptr<const DocumentState> after,
               std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);
     /// Pushes a change of surface settings. \param key  what it changes; where `replace` is set and
@@ -106,8 +108,11 @@ class StateCommand : public QUndoCommand {
     void undo() override;
     void redo() override;
 
+    QString english;  ///< name, see shownStepName()
     std::shared_ptr<const DocumentState> before, after;
     std::vector<PendingStroke> consumed;
+    InkHistory inkBefore;  ///< changes of the ink between the command before and this one
+    InkHistory inkAfter;   ///< while undone: what could be done again after it
     std::shared_ptr<ApplyMemory> memory;  ///< of an apply, where it is known
     std::string key;                      ///< of a change of settings: what it changes
 

@@ -100,6 +100,7 @@ Result<void> Document::Private::pushSettings(const Change& change, SurfaceSettin
     shape = std::move(derived);
     auto* command = new StateCommand(*this, change.name, state, after);  // the stack owns it
     command->key = change.key;
+    command->inkBefore = ink.takeHistory();
     movingStack = true;
     stack.push(command);
     movingStack = false;
@@ -125,7 +126,8 @@ Result<FilletOutcome> Document::fillet(const FilletRequest& request) {
     FilletStep step = stepFor(edgeWords(d_->state->bodies, request.edges, *edges), FilletStep{});
     step.radius = request.radius;
     step.segments = request.segments;
-    const QString name = counted(tr("Fillet 1 edge"), tr("Fillet %1 edges"), edges->size());
+    const QString name =
+        counted(QStringLiteral("Fillet 1 edge"), QStringLiteral("Fillet %1 edges"), edges->size());
     const auto pushed = d_->pushSettings(
         {name, keyOf("fillet", request.edges, *edges), request.replace, std::move(step)},
         std::move(settings));
@@ -144,10 +146,11 @@ Result<void> Document::sharpen(const EdgeChoice& choice) {
         ++count;
     }
     if (count == 0) return fail(Errc::NoEdge, "None of these edges is filleted.");
-    return d_->pushSettings({counted(tr("Sharpen 1 edge"), tr("Sharpen %1 edges"), count),
-                             keyOf("sharpen", choice, *edges), false,
-                             stepFor(edgeWords(d_->state->bodies, choice, *edges), SharpenStep{})},
-                            std::move(settings));
+    return d_->pushSettings(
+        {counted(QStringLiteral("Sharpen 1 edge"), QStringLiteral("Sharpen %1 edges"), count),
+         keyOf("sharpen", choice, *edges), false,
+         stepFor(edgeWords(d_->state->bodies, choice, *edges), SharpenStep{})},
+        std::move(settings));
 }
 
 Result<void> Document::crease(const EdgeChoice& choice, double sharpness) {
@@ -160,9 +163,10 @@ Result<void> Document::crease(const EdgeChoice& choice, double sharpness) {
     for (const EdgeRef& e : *edges) settings.setSharpness(d_->state->bodies, e, sharpness);
     CreaseStep step = stepFor(edgeWords(d_->state->bodies, choice, *edges), CreaseStep{});
     if (sharpness != kAutomaticSharpness) step.sharpness = sharpness;
-    return d_->pushSettings({counted(tr("Crease 1 edge"), tr("Crease %1 edges"), edges->size()),
-                             keyOf("crease", choice, *edges), false, std::move(step)},
-                            std::move(settings));
+    return d_->pushSettings(
+        {counted(QStringLiteral("Crease 1 edge"), QStringLiteral("Crease %1 edges"), edges->size()),
+         keyOf("crease", choice, *edges), false, std::move(step)},
+        std::move(settings));
 }
 
 Result<void> Document::subdivide(const SubdivisionSettings& wanted, bool replace) {
@@ -187,7 +191,7 @@ Result<void> Document::subdivide(const SubdivisionSettings& wanted, bool replace
         step.levels = s.on ? s.levels : 0;
     step.crease = s.sharpness;
     step.sharpCorners = s.sharpCorners;
-    const QString name = s.on ? tr("Smooth surface") : tr("Surface off");
+    const QString name = s.on ? QStringLiteral("Smooth surface") : QStringLiteral("Surface off");
     return d_->pushSettings({name, s.on ? "subdivide" : "", replace, std::move(step)},
                             std::move(settings));
 }
@@ -227,8 +231,9 @@ Result<MapOutcome> Document::mapStrokes(const StrokeColor& color) {
     MapStrokesStep step;
     if (color != kDefaultStrokeColor) step.color = colorText(color);
     d_->record(std::move(step));
-    d_->push(counted(tr("Map 1 stroke"), tr("Map %1 strokes"), consumed.size()), std::move(after),
-             consumed);
+    d_->push(
+        counted(QStringLiteral("Map 1 stroke"), QStringLiteral("Map %1 strokes"), consumed.size()),
+        std::move(after), consumed);
     return outcome;
 }
 
@@ -239,7 +244,7 @@ Result<void> Document::unmapStrokes() {
     auto after = std::make_shared<DocumentState>(*d_->state);
     after->mapped.clear();
     d_->record(UnmapStrokesStep{});
-    d_->push(tr("Remove strokes from surface"), std::move(after), {});
+    d_->push(QStringLiteral("Remove strokes from surface"), std::move(after), {});
     return {};
 }
 

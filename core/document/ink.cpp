@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_set>
+#include <utility>
 
 namespace ew {
 
@@ -29,35 +30,56 @@ double distanceToStroke(const Vec2& px, const Stroke& stroke) {
     return best;
 }
 
-std::optional<int> InkBoard::change(const std::vector<int>& removeIds,
-                                    std::vector<std::pair<Stroke, OrthographicCamera>> add) {
-    Change change;
-    const std::unordered_set<int> gone(removeIds.begin(), removeIds.end());
+std::vector<PendingStroke> InkBoard::takeOut(const std::vector<int>& ids) {
+    const std::unordered_set<int> gone(ids.begin(), ids.end());
+    std::vector<PendingStroke> taken;
     std::vector<PendingStroke> kept;
     for (PendingStroke& s : strokes_) {
-        (gone.contains(s.id) ? change.removed : kept).push_back(std::move(s));
+        (gone.contains(s.id) ? taken : kept).push_back(std::move(s));
     }
     strokes_ = std::move(kept);
+    return taken;
+}
+
+void InkBoard::putBack(std::vector<PendingStroke> strokes) {
+    const std::unordered_set<int> there = idsOf(strokes_);
+    for (PendingStroke& s : strokes) {
+        if (!there.contains(s.id)) strokes_.push_back(std::move(s));
+    }
+    std::sort(strokes_.begin(), strokes_.end(), olderThan);
+}
+
+std::optional<int> InkBoard::change(const std::vector<int>& removeIds,
+                                    std::vector<std::pair<Stroke, OrthographicCamera>> add) {
+    InkChange change;
+    change.removed = takeOut(removeIds);
     for (auto& [stroke, camera] : add) {
         change.added.push_back(nextId_);
         strokes_.push_back({nextId_++, std::move(stroke), camera});
     }
     if (change.added.empty() && change.removed.empty()) return std::nullopt;
     change.serial = nextSerial_++;
-    history_.push_back(std::move(change));
-    return history_.back().serial;
+    done_.push_back(std::move(change));
+    undone_.clear();
+    return done_.back().serial;
 }
 
-std::optional<int> InkBoard::undoLast() {
-    if (history_.empty()) return std::nullopt;
-    Change change = std::move(history_.back());
-    history_.pop_back();
-    std::erase_if(strokes_, [&](const PendingStroke& s) {
-        return std::find(change.added.begin(), change.added.end(), s.id) != change.added.end();
-    });
-    for (PendingStroke& s : change.removed) strokes_.push_back(std::move(s));
-    std::sort(strokes_.begin(), strokes_.end(), olderThan);
-    return change.serial;
+void InkBoard::undoLast() {
+    InkChange change = std::move(done_.back());
+    done_.pop_back();
+    change.withdrawn = takeOut(change.added);
+    putBack(change.removed);
+    undone_.push_back(std::move(change));
+}
+
+void InkBoard::redoLast() {
+    InkChange change = std::move(undone_.back());
+    undone_.pop_back();
+    std::vector<int> gone;
+    for (const PendingStroke& s : change.removed) gone.push_back(s.id);
+    change.removed = takeOut(gone);
+    putBack(std::exchange(change.withdrawn, {}));
+    done_.push_back(std::move(change));
 }
 
 std::optional<std::size_t> InkBoard::nearest(const Vec2& px, double reachPx) const {
@@ -73,25 +95,48 @@ std::optional<std::size_t> InkBoard::nearest(const Vec2& px, double reachPx) con
     return found;
 }
 
-void InkBoard::consume(const std::vector<PendingStroke>& taken) {
+InkHistory InkBoard::takeHistory() { return std::exchange(done_, {}); }
+
+void InkBoard::consume(const std::vector<PendingStroke>& taken, const InkHistory& before,
+                       InkHistory after) {
     const std::unordered_set<int> ids = idsOf(taken);
-    std::erase_if(strokes_, [&](const PendingStroke& s) { return ids.contains(s.id); });
-    clearHistory();
-}
-
-void InkBoard::restore(const std::vector<PendingStroke>& returned) {
-    const std::unordered_set<int> there = idsOf(strokes_);
-    for (const PendingStroke& s : returned) {
-        if (!there.contains(s.id)) strokes_.push_back(s);
+    const auto isTaken = [&](const PendingStroke& s) { return ids.contains(s.id); };
+    std::erase_if(strokes_, isTaken);
+    std::unordered_set<int> older;
+    for (const InkChange& c : before) older.insert(c.serial);
+    // What remains may not bring back a stroke that the command has.
+    for (InkChange& c : done_) {
+        std::erase_if(c.removed, isTaken);
+        std::erase_if(c.added, [&](int id) { return ids.contains(id); });
     }
-    std::sort(strokes_.begin(), strokes_.end(), olderThan);
-    clearHistory();
+    std::erase_if(done_, [&](const InkChange& c) {
+        return older.contains(c.serial) || (c.added.empty() && c.removed.empty());
+    });
+    undone_ = std::move(after);
 }
 
-void InkBoard::reset(std::vector<PendingStroke> strokes, int nextId) {
+InkHistory InkBoard::restore(const std::vector<PendingStroke>& returned, const InkHistory& before) {
+    putBack(returned);
+    done_.insert(done_.begin(), before.begin(), before.end());
+    return std::exchange(undone_, {});
+}
+
+void InkBoard::reset(std::vector<PendingStroke> strokes, int nextId, InkHistory history) {
     strokes_ = std::move(strokes);
     nextId_ = nextId;
-    clearHistory();
+    done_ = std::move(history);
+    undone_.clear();
+}
+
+InkHistory InkBoard::drawn(const std::vector<PendingStroke>& strokes) {
+    InkHistory history;
+    for (const PendingStroke& s : strokes) {
+        InkChange change;
+        change.serial = nextSerial_++;
+        change.added = {s.id};
+        history.push_back(std::move(change));
+    }
+    return history;
 }
 
 }  // namespace ew

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/tolerance.h"
 
@@ -28,8 +29,32 @@ void Recorder::record(ScriptStep step, const ViewSettings& view, int inkSerial) 
     entries_.push_back({std::move(step), view, inkSerial});
 }
 
-void Recorder::dropInk(int inkSerial) {
-    std::erase_if(entries_, [&](const Entry& e) { return e.inkSerial == inkSerial; });
+int Recorder::inkSteps(int inkSerial) const {
+    return static_cast<int>(std::count_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
+        return e.inkSerial == inkSerial;
+    }));
+}
+
+bool Recorder::dropInk(int inkSerial) {
+    const auto first = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& e) { return e.inkSerial == inkSerial; });
+    const bool commandAfter =
+        std::any_of(first, entries_.end(), [](const Entry& e) { return e.inkSerial == kNoInk; });
+    if (first == entries_.end() || commandAfter) return false;
+    std::vector<Entry>& taken = dropped_[inkSerial];
+    const auto rest = std::stable_partition(
+        first, entries_.end(), [&](const Entry& e) { return e.inkSerial != inkSerial; });
+    taken.assign(std::make_move_iterator(rest), std::make_move_iterator(entries_.end()));
+    entries_.erase(rest, entries_.end());
+    return true;
+}
+
+bool Recorder::putInkBack(int inkSerial) {
+    const auto found = dropped_.find(inkSerial);
+    if (found == dropped_.end()) return false;
+    for (Entry& e : found->second) entries_.push_back(std::move(e));
+    dropped_.erase(found);
+    return true;
 }
 
 SketchScript Recorder::script(const ViewSettings& now) const {

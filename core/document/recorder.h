@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "core/base/camera.h"
@@ -23,8 +24,13 @@ class Recorder {
 
     /// \param inkSerial  the InkBoard change that the step belongs to, kNoInk for a command.
     void record(ScriptStep step, const ViewSettings& view, int inkSerial = kNoInk);
-    /// Takes back all steps of an ink change.
-    void dropInk(int inkSerial);
+    /// Takes back all steps of an ink change. False, and nothing happens, where there are none or a
+    /// command came after them.
+    bool dropInk(int inkSerial);
+    /// Writes down again what dropInk() took back; false where it took back nothing.
+    bool putInkBack(int inkSerial);
+    /// How many steps an ink change has; in a script each is a change of its own.
+    int inkSteps(int inkSerial) const;
     /// Everything so far, ending with the view as it is now.
     SketchScript script(const ViewSettings& now) const;
 
@@ -39,6 +45,7 @@ class Recorder {
     };
 
     std::vector<Entry> entries_;
+    std::map<int, std::vector<Entry>> dropped_;  // by ink serial
     std::string title_;
 };
 

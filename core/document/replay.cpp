@@ -103,8 +103,24 @@ class StepRunner {
         return document_.defineTemplateFromSolid(s.id, s.name);
     }
     Result<void> operator()(const DeleteSolidStep&) { return document_.deleteBodies(); }
-    Result<void> operator()(const UndoStep& s) { return document_.undo(s.count); }
-    Result<void> operator()(const RedoStep& s) { return document_.redo(s.count); }
+    Result<void> operator()(const UndoStep& s) {
+        if (!s.ink) return document_.undo(s.count);
+        for (int i = 0; i < s.count; ++i) {
+            if (!document_.undoInk()) {
+                return fail(Errc::NothingToUndo, "There is no ink to undo since the last step.");
+            }
+        }
+        return {};
+    }
+    Result<void> operator()(const RedoStep& s) {
+        if (!s.ink) return document_.redo(s.count);
+        for (int i = 0; i < s.count; ++i) {
+            if (!document_.redoInk()) {
+                return fail(Errc::NothingToRedo, "There is no ink to redo before the next step.");
+            }
+        }
+        return {};
+    }
     Result<void> operator()(const SaveStep& s) {
         const auto path = pathToWrite(s.path);
         if (!path) return fail(path.error());

@@ -74,9 +74,11 @@ struct DefineTemplateStep {
 };
 struct UndoStep {
     int count = 1;
+    bool ink = false;  ///< changes of the ink, not steps of the history
 };
 struct RedoStep {
     int count = 1;
+    bool ink = false;
 };
 struct DeleteSolidStep {};
 struct SaveStep {

@@ -189,9 +189,16 @@ ScriptStep readDefineTemplate(const ObjectReader& step) {
 
 template <class Step>
 ScriptStep readCounted(const ObjectReader& step) {
-    step.allowOnly({"do", "count"});
+    step.allowOnly({"do", "count", "of"});
     Step s;
     if (const json* v = step.find("count")) s.count = readInt(*v, step.at("count"), 1, kMaxInt);
+    if (const json* v = step.find("of")) {
+        const std::string& of = readString(*v, step.at("of"));
+        if (of != "steps" && of != "ink") {
+            throwRead(Errc::BadValue, step.at("of") + " must be steps or ink");
+        }
+        s.ink = of == "ink";
+    }
     return s;
 }
 

@@ -124,9 +124,15 @@ std::string body(const DefineTemplateStep& s) {
     return out;
 }
 
-std::string counted(int count) { return count == 1 ? "" : "\"count\": " + std::to_string(count); }
-std::string body(const UndoStep& s) { return counted(s.count); }
-std::string body(const RedoStep& s) { return counted(s.count); }
+template <class Step>
+std::string counted(const Step& s) {
+    std::string out;
+    if (s.ink) put(out, "of", "\"ink\"");
+    if (s.count != 1) put(out, "count", std::to_string(s.count));
+    return out;
+}
+std::string body(const UndoStep& s) { return counted(s); }
+std::string body(const RedoStep& s) { return counted(s); }
 std::string body(const SaveStep& s) { return "\"path\": " + jsonQuoted(s.path); }
 std::string body(const OpenStep& s) { return "\"path\": " + jsonQuoted(s.path); }
 std::string body(const ExportStep& s) {

@@ -15,8 +15,10 @@ namespace ew {
 
 /// One step of the history, between states[i] and states[i + 1].
 struct StoredCommand {
-    std::string name;                     ///< shown in the history
+    std::string name;                     ///< in English, whatever the window's language
     std::vector<PendingStroke> consumed;  ///< ink that undoing it gives back
+    std::vector<PendingStroke> left;      ///< ink drawn before it, since the step before, that it
+                                          ///< did not use
 };
 
 /// What a native document (.edgewright) holds: the whole history with every snapshot, the pending

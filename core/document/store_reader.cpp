@@ -279,10 +279,11 @@ DocumentFile DocumentReader::read(const json& tree) {
     }
     for (std::size_t i = 0; i < history.size(); ++i) {
         const ObjectReader step(history[i], item(in.at("history"), i));
-        step.allowOnly({"name", "strokes"});
+        step.allowOnly({"name", "strokes", "left"});
         StoredCommand command;
         command.name = readString(step.require("name"), step.at("name"));
         command.consumed = readStrokes(step.require("strokes"), step.at("strokes"));
+        if (const json* v = step.find("left")) command.left = readStrokes(*v, step.at("left"));
         file.commands.push_back(std::move(command));
     }
     const int steps = static_cast<int>(history.size());

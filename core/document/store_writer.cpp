@@ -150,8 +150,9 @@ std::string DocumentWriter::write(const DocumentFile& file) {
     std::string history = "[";
     for (const StoredCommand& c : file.commands) {
         history += history.size() > 1 ? ",\n    " : "\n    ";
-        history +=
-            "{\"name\": " + jsonQuoted(c.name) + ", \"strokes\": " + strokeList(c.consumed) + "}";
+        history += "{\"name\": " + jsonQuoted(c.name) + ", \"strokes\": " + strokeList(c.consumed);
+        if (!c.left.empty()) history += ", \"left\": " + strokeList(c.left);
+        history += "}";
     }
     const std::string pending = strokeList(file.pending);
 

@@ -46,6 +46,7 @@ struct Candidate {
     int body = -1;                    ///< Add and Cut: which of InterpretOptions::bodies changes
     std::optional<Solid> result;      ///< ... and what it becomes
     double obliqueFactor = 0.0;       ///< k, 0 unless depth == Oblique
+    std::vector<int> unusedStrokes;   ///< pending strokes that it does not explain: they stay
 };
 
 /// What a one-click repair would do to the pending strokes or the thresholds.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/document/fixtures.h"
 
+#include <QUndoStack>
 #include <algorithm>
 
 namespace ew::test {
@@ -183,6 +184,12 @@ void doSomething(Document& d, int what, int number) {
             break;
         case 15:
             d.undoInk();
+            break;
+        case 21:
+            d.redoInk();
+            break;
+        case 22:
+            ignore(d.goToStep(number % (d.undoStack().count() + 1)));
             break;
         default:
             changeSurface(d, what, number);
