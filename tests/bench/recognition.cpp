@@ -2,10 +2,13 @@
 // Drawing accuracy: draws random solids by a model of a hand and counts what is read rightly.
 //
 //   recognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I] [--style NAME]
-//               [--threads T] [--dump DIR] [--reasons]
+//               [--threads T] [--dump DIR] [--reasons] [--corners PX] [--eye WIDTHS]
+//   recognition --drawings DIR     reads the drawings of a folder instead; see drawing_folder.h
 //
-// N drawings a row (column of the table), the same solids and views on every level. Deterministic
-// in the seed, whatever the number of threads; times are not.
+// --corners: every corner is off by so much, the lines stay straight. --eye: in perspective, from
+// so many widths of the drawing away (templates without T junctions). N drawings a row (column of
+// the table), the same solids and views on every level. Deterministic in the seed, whatever the
+// number of threads; times are not.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -20,8 +23,10 @@
 
 #include "core/modeling/interpretation.h"
 #include "core/tlib/library.h"
+#include "tests/bench/drawing_folder.h"
 #include "tests/bench/recognition_report.h"
 #include "tests/bench/thread_time.h"
+#include "tests/support/line_changes.h"
 #include "tests/support/sketch_generator.h"
 
 namespace ew::test {
@@ -37,6 +42,9 @@ struct Options {
     int threads = 2;
     std::string dump;
     bool reasons = false;
+    std::string drawings;    ///< a folder to read instead
+    double cornersPx = 0.0;  ///< corners off by this, lines straight
+    double eyeWidths = 0.0;  ///< distance of the eye [widths of the drawing], 0: parallel
 };
 
 /// One drawing of the benchmark; depends on the seed, the template and the index only.
@@ -55,8 +63,11 @@ Drawing makeDrawing(const Options& options, int index, std::size_t level,
     Random shape(Random::mix(options.seed, n));
     Drawing drawing{randomSketch(id, shape, counts), {}};
     Random hand(Random::mix(options.seed, n, level + 1));
-    drawing.strokes =
-        drawByHand(drawing.sketch.drawing.lines(), kLevels[level].hand, hand, options.style.habits);
+    std::vector<Line2> lines = options.eyeWidths > 0.0
+                                   ? linesInPerspective(drawing.sketch, options.eyeWidths)
+                                   : drawing.sketch.drawing.lines();
+    if (options.cornersPx > 0.0) lines = withMovedCorners(lines, options.cornersPx, hand);
+    drawing.strokes = drawByHand(lines, kLevels[level].hand, hand, options.style.habits);
     return drawing;
 }
 
@@ -232,7 +243,9 @@ int usage(const char* problem) {
     std::fprintf(
         stderr,
         "%s\nrecognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I]\n"
-        "            [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons]\n",
+        "            [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons]\n"
+        "            [--corners PX] [--eye WIDTHS]\n"
+        "recognition --drawings DIR\n",
         problem);
     return 2;
 }
@@ -275,9 +288,16 @@ int main(int argc, char** argv) {
             options.threads = std::max(1, std::atoi(value.c_str()));
         else if (key == "--dump")
             options.dump = value;
+        else if (key == "--corners")
+            options.cornersPx = std::atof(value.c_str());
+        else if (key == "--eye")
+            options.eyeWidths = std::atof(value.c_str());
+        else if (key == "--drawings")
+            options.drawings = value;
         else
             return usage(("unknown option: " + key).c_str());
     }
+    if (!options.drawings.empty()) return runDrawingFolder(options.drawings);
     const auto& ids = sketchTemplates();
     if (!options.templateId.empty() &&
         std::find(ids.begin(), ids.end(), options.templateId) == ids.end()) {

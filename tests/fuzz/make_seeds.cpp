@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes inputs that the fuzz targets start from, a folder a target, out of the templates, examples
-// and drawings of the source tree:
+// Writes inputs that the fuzz targets start from, a folder a target, out of the templates and
+// examples of the source tree and, where they are there, drawings from outside:
 //   make_seeds FOLDER
 #include <cstdio>
 #include <filesystem>
@@ -101,23 +101,36 @@ bool scriptsAndDocuments(const Seeds& seeds) {
     return ok;
 }
 
+std::vector<ew::test::LineDrawing> drawingsFromOutside() {
+    using namespace ew::test;
+    std::vector<LineDrawing> out;
+    const std::string folder = outsideDrawings();
+    if (folder.empty()) {
+        std::fprintf(stderr, "make_seeds: no drawings from outside (EDGEWRIGHT_DRAWINGS)\n");
+        return out;
+    }
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string path = entry.path().string();
+        const std::string name = entry.path().filename().string();
+        if (const auto svg = readHiddenLineSvg(path)) out.push_back(*svg);
+        if (const auto scap = readScap(path)) out.push_back(*scap);
+        if (const auto items = readExcalidrawLibrary(path)) {
+            for (std::size_t i = 0; i < items->size(); ++i) {
+                out.push_back((*items)[i]);
+                out.back().name = name + std::to_string(i);
+            }
+        }
+    }
+    return out;
+}
+
 bool drawings(const Seeds& seeds) {
     using namespace ew::test;
     bool ok = true;
     const auto put = [&](const std::string& name, const std::vector<ew::Stroke>& strokes) {
         ok &= seeds.put("interpret", name, ew::fuzz::bytesOf({}, strokes, 3));
     };
-    for (const auto& entry : fs::directory_iterator(kSource + "/tests/data")) {
-        const std::string path = entry.path().string();
-        const std::string name = entry.path().filename().string();
-        if (const auto svg = readHiddenLineSvg(path)) put(name, svg->visible());
-        if (const auto scap = readScap(path)) put(name, scap->visible());
-        if (const auto items = readExcalidrawLibrary(path)) {
-            for (std::size_t i = 0; i < items->size(); ++i) {
-                put(name + std::to_string(i), (*items)[i].visible());
-            }
-        }
-    }
+    for (const LineDrawing& drawing : drawingsFromOutside()) put(drawing.name, drawing.visible());
     for (const auto& entry : fs::directory_iterator(kSource + "/resources/examples")) {
         const auto script = ew::readSketchScript(contents(entry.path()));
         if (!script) continue;

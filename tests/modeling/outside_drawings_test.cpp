@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings that were not made for this program (tests/data/README.md), read as strokes.
+// Drawings that were not made for this program, read as strokes; they are no part of the project.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,15 @@ namespace {
 
 using test::readStrokes;
 
-const std::string kData = EDGEWRIGHT_SOURCE_DIR "/tests/data/";
+const std::string kData = test::outsideDrawings();
+
+/// Tests on files that may not be there.
+class OutsideDrawings : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (kData.empty()) GTEST_SKIP() << "no drawings from outside: EDGEWRIGHT_DRAWINGS";
+    }
+};
 
 /// Edge lengths of a box in its own frame, longest first [mm].
 Vec3 boxSize(const Candidate& c) {
@@ -40,7 +48,8 @@ struct KnownBox {
     Vec3 size;  ///< longest first
 };
 
-class HiddenLineBoxes : public ::testing::TestWithParam<KnownBox> {};
+class HiddenLineBoxes : public OutsideDrawings,
+                        public ::testing::WithParamInterface<KnownBox> {};
 
 // The files give six digits or so. Strokes come in any order in them and end in one another.
 TEST_P(HiddenLineBoxes, ComeBackUpToScale) {
@@ -69,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Files, HiddenLineBoxes,
                              return file.substr(0, file.find('.'));
                          });
 
-TEST(OutsideDrawings, TheBuildingsOuterBoxIsOfferedObliquely) {
+TEST_F(OutsideDrawings, TheBuildingsOuterBoxIsOfferedObliquely) {
     const auto drawing = test::readScap(kData + "building_SA_cluster.scap");
     ASSERT_TRUE(drawing) << drawing.error().message;
     const auto strokes = drawing->clusters(test::kBuildingOuterBox);
@@ -97,12 +106,12 @@ TEST(OutsideDrawings, TheBuildingsOuterBoxIsOfferedObliquely) {
     }
 }
 
-TEST(OutsideDrawings, BoxesDrawnFlatOnAreObliqueBoxes) {
+TEST_F(OutsideDrawings, BoxesDrawnFlatOnAreObliqueBoxes) {
     const auto prisms =
-        test::readExcalidrawLibrary(kData + "excalidraw_math-teacher_prisms.excalidrawlib");
+        test::readExcalidrawLibrary(kData + "excalidraw_math-teacher.excalidrawlib");
     ASSERT_TRUE(prisms) << prisms.error().message;
-    ASSERT_EQ(prisms->size(), 2u);
     for (const test::LineDrawing& prism : *prisms) {
+        if (prism.name.rfind("Rectangular Prism", 0) != 0) continue;
         SCOPED_TRACE(prism.name);
         const auto r = readStrokes(prism.visible());
         ASSERT_TRUE(r.accepted) << answerOf(r);
@@ -147,7 +156,7 @@ void expectExplained(const std::string& name, const std::vector<Stroke>& strokes
     }
 }
 
-TEST(OutsideDrawings, WhatNoTemplateShowsIsExplained) {
+TEST_F(OutsideDrawings, WhatNoTemplateShowsIsExplained) {
     // A wedge with a narrow upper face, a plate with two hexagonal pockets, an open box: its
     // outside is a box, and its inner rim, exactly drawn, touches nothing of that.
     const std::vector<std::pair<const char*, std::vector<Errc>>> lineDrawings{

@@ -144,6 +144,12 @@ std::vector<Stroke> LineDrawing::clusters(const std::vector<int>& numbers) const
     return out;
 }
 
+std::string outsideDrawings() {
+    const char* named = std::getenv("EDGEWRIGHT_DRAWINGS");
+    const std::string folder = named != nullptr ? named : EDGEWRIGHT_SOURCE_DIR "/../shared/data";
+    return std::filesystem::is_directory(folder) ? folder + "/" : "";
+}
+
 Result<LineDrawing> readHiddenLineSvg(const std::string& path, double diagonalPx) {
     const auto svg = readText(path);
     if (!svg) return fail(svg.error());

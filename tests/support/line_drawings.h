@@ -35,6 +35,11 @@ inline constexpr double kImportDiagonalPx = 400.0;
 /// upper, right and lower edge, the top's left, back and right edge, the side's far and lower edge.
 inline const std::vector<int> kBuildingOuterBox{0, 6, 23, 28, 32, 8, 58, 33, 34};
 
+/// The folder with drawings that were not made for this program: $EDGEWRIGHT_DRAWINGS, else
+/// shared/data beside the source tree. They are no part of the project; empty where the folder is
+/// not there.
+std::string outsideDrawings();
+
 /// Reads the <line> elements of the groups "Visible" and "Hidden" of a hidden-line drawing in SVG
 /// as exact strokes with a sample about every 4 px. Understands one transform, scale(1,-1). Errors:
 /// Errc::FileNotFound, Errc::WrongFormat.

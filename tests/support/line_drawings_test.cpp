@@ -12,7 +12,14 @@
 namespace ew::test {
 namespace {
 
-const std::string kData = EDGEWRIGHT_SOURCE_DIR "/tests/data/";
+/// Tests on files that may not be there.
+class OutsideFiles : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (kData.empty()) GTEST_SKIP() << "no drawings from outside: EDGEWRIGHT_DRAWINGS";
+    }
+    const std::string kData = outsideDrawings();
+};
 
 double diagonalOf(const LineDrawing& drawing) {
     Vec2 low(1e9, 1e9), high(-1e9, -1e9);
@@ -26,7 +33,7 @@ double diagonalOf(const LineDrawing& drawing) {
     return (high - low).norm();
 }
 
-TEST(LineDrawings, HiddenLineDrawingsHaveTheLinesOfABox) {
+TEST_F(OutsideFiles, HiddenLineDrawingsHaveTheLinesOfABox) {
     for (const char* file : {"box_example.svg", "general_ex1.svg"}) {
         const auto drawing = readHiddenLineSvg(kData + file, 320);
         ASSERT_TRUE(drawing) << drawing.error().message;
@@ -38,7 +45,7 @@ TEST(LineDrawings, HiddenLineDrawingsHaveTheLinesOfABox) {
 }
 
 // y is up in the file: the box's lowest corner (-0.9465 in the file) is the lowest on the screen.
-TEST(LineDrawings, ThePictureIsTheRightWayUp) {
+TEST_F(OutsideFiles, ThePictureIsTheRightWayUp) {
     const auto drawing = readHiddenLineSvg(kData + "box_example.svg");
     ASSERT_TRUE(drawing);
     const Vec2 lowest = drawing->strokes[0].stroke.samples.front().position;
@@ -48,7 +55,7 @@ TEST(LineDrawings, ThePictureIsTheRightWayUp) {
     EXPECT_NEAR(lowest.x() - 640, 0.223607 * drawing->pxPerUnit, 1e-9);
 }
 
-TEST(LineDrawings, StrokesAreStraightAndDense) {
+TEST_F(OutsideFiles, StrokesAreStraightAndDense) {
     const auto drawing = readHiddenLineSvg(kData + "wedge_example.svg");
     ASSERT_TRUE(drawing);
     for (const ImportedStroke& s : drawing->strokes) {
@@ -61,7 +68,7 @@ TEST(LineDrawings, StrokesAreStraightAndDense) {
     }
 }
 
-TEST(LineDrawings, PenStrokesComeWithTheirClusters) {
+TEST_F(OutsideFiles, PenStrokesComeWithTheirClusters) {
     const auto drawing = readScap(kData + "building_SA_cluster.scap");
     ASSERT_TRUE(drawing) << drawing.error().message;
     std::set<int> clusters;
@@ -80,7 +87,7 @@ TEST(LineDrawings, PenStrokesComeWithTheirClusters) {
     EXPECT_EQ(drawing->clusters(kBuildingOuterBox).size(), 18U);
 }
 
-TEST(LineDrawings, EveryFileOfItsKindIsRead) {
+TEST_F(OutsideFiles, EveryFileOfItsKindIsRead) {
     const auto house = readScap(kData + "house_SA_cluster.scap");
     ASSERT_TRUE(house) << house.error().message;
     EXPECT_NEAR(diagonalOf(*house), kImportDiagonalPx, 1e-9);
@@ -89,18 +96,19 @@ TEST(LineDrawings, EveryFileOfItsKindIsRead) {
     EXPECT_GT(boxes->visible().size(), 27U);  // more than three boxes
 }
 
-TEST(LineDrawings, ExcalidrawItemsAreDrawings) {
+TEST_F(OutsideFiles, ExcalidrawItemsAreDrawings) {
     const auto shapes = readExcalidrawLibrary(kData + "excalidraw_3d-shapes.excalidrawlib");
     ASSERT_TRUE(shapes) << shapes.error().message;
     ASSERT_EQ(shapes->size(), 2U);
     EXPECT_EQ((*shapes)[1].name, "cube");
     EXPECT_EQ((*shapes)[1].strokes.size(), 3U);
 
-    const auto prisms =
-        readExcalidrawLibrary(kData + "excalidraw_math-teacher_prisms.excalidrawlib");
+    const auto prisms = readExcalidrawLibrary(kData + "excalidraw_math-teacher.excalidrawlib");
     ASSERT_TRUE(prisms) << prisms.error().message;
-    ASSERT_EQ(prisms->size(), 2U);
+    int found = 0;
     for (const LineDrawing& prism : *prisms) {
+        if (prism.name.rfind("Rectangular Prism", 0) != 0) continue;
+        ++found;
         EXPECT_EQ(prism.strokes.size(), 12U);
         EXPECT_EQ(prism.visible().size(), 9U);
         // Turned lines must meet the others: no end is far from another line's end.
@@ -117,11 +125,12 @@ TEST(LineDrawings, ExcalidrawItemsAreDrawings) {
             }
         }
     }
+    EXPECT_EQ(found, 2);
 }
 
 TEST(LineDrawings, BadFilesAreRefused) {
-    EXPECT_EQ(readScap(kData + "absent.scap").error().code, Errc::FileNotFound);
-    EXPECT_EQ(readHiddenLineSvg(kData + "absent.svg").error().code, Errc::FileNotFound);
+    EXPECT_EQ(readScap("/no/folder/absent.scap").error().code, Errc::FileNotFound);
+    EXPECT_EQ(readHiddenLineSvg("/no/folder/absent.svg").error().code, Errc::FileNotFound);
     const auto folder = std::filesystem::temp_directory_path() /
                         ("edgewright-line-drawings-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
