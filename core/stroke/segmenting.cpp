@@ -191,10 +191,16 @@ bool looksCurved(const std::vector<Vec2>& nodes, const std::vector<std::size_t>&
         sharp.push_back(sharpness(nodes, cuts[c - 1], cuts[c], cuts[c + 1]));
     }
     if (turn < 40 * kDegree || std::abs(signedTurn) < 0.8 * turn) return false;
-    if (turn / static_cast<double>(sharp.size()) > 75 * kDegree) return false;
     std::nth_element(sharp.begin(), sharp.begin() + static_cast<std::ptrdiff_t>(sharp.size() / 2),
                      sharp.end());
     return sharp[sharp.size() / 2] < tol::kCornerSharpness;
+}
+
+/// A line is longer than it is wide: a small circle is none, though no corner was found in it.
+bool isRing(const std::vector<Segment>& segments) {
+    constexpr double kWidest = 0.2;
+    return segments.size() == 1 &&
+           segments[0].rmsPx > kWidest * (segments[0].b - segments[0].a).norm();
 }
 
 /// Drops pieces that only a rounded corner or a hook made, and corners that hardly turn.
@@ -344,7 +350,7 @@ StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, dou
     }
     if (isScribble(nodes, cuts, reading.segments, distancePx)) {
         reading.kind = StrokeKind::Scribble;
-    } else if (looksCurved(nodes, cuts)) {
+    } else if (looksCurved(nodes, cuts) || isRing(reading.segments)) {
         reading.kind = StrokeKind::Curve;
     }
     if (reading.kind != StrokeKind::Polyline) reading.segments.clear();

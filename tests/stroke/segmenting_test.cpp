@@ -109,6 +109,43 @@ TEST(ReadStroke, DotsCirclesAndScribblesAreNoLines) {
               StrokeKind::Scribble);
 }
 
+// Cut into four, a circle turns by a right angle at each cut, as a rectangle does; only that it
+// turns all the way tells them apart.
+TEST(ReadStroke, CirclesOfEverySizeAndHandAreCurves) {
+    int lines = 0;
+    for (const double radius : {10.0, 16.0, 25.0, 40.0, 60.0, 90.0}) {
+        for (int i = 0; i < 12; ++i) {
+            test::Random random(test::Random::mix(3, static_cast<std::uint64_t>(i)));
+            Stroke s = arc(radius, 30.0 * i, 30.0 * i + 372.0);
+            const double wave = random.uniform(2.0, 3.0);
+            const double bend = random.uniform(0.0, 0.07) * radius;
+            for (PenSample& p : s.samples) {
+                const Vec2 out = (p.position - Vec2(400, 400)).normalized();
+                p.position += bend * std::sin(wave * std::atan2(out.y(), out.x()) + i) * out;
+            }
+            const StrokeKind kind = readStroke(s, 0, kThreshold, 1.0).kind;
+            lines += kind == StrokeKind::Polyline ? 1 : 0;
+        }
+    }
+    EXPECT_LE(lines, 1);
+}
+
+TEST(ReadStroke, RoundedRectanglesAreNoCircles) {
+    for (const double radius : {4.0, 8.0, 14.0}) {
+        Stroke s;
+        const std::vector<Vec2> centers{{600, 480}, {400, 480}, {400, 400}, {600, 400}};
+        for (std::size_t c = 0; c < 4; ++c) {
+            for (double a = 0; a <= 90; a += 6) {
+                const double t = (90.0 * static_cast<double>(c) + a) * std::numbers::pi / 180.0;
+                s.samples.push_back(
+                    {centers[c] + radius * Vec2(std::cos(t), std::sin(t)), 1.0, 0.0});
+            }
+        }
+        s.samples.push_back(s.samples.front());
+        EXPECT_EQ(readStroke(s, 0, kThreshold, 1.0).kind, StrokeKind::Polyline) << radius;
+    }
+}
+
 TEST(ReadStroke, AHexagonIsNoCircle) {
     std::vector<Vec2> corners;
     for (int i = 0; i <= 6; ++i) {
