@@ -6,6 +6,7 @@
 
 #include "core/base/tolerance.h"
 #include "core/document/document_private.h"
+#include "core/stroke/suited_distance.h"
 
 namespace ew {
 
@@ -28,8 +29,20 @@ void Document::Private::touch() {
 void Document::Private::inkChanged() {
     reading.reset();
     touch();
+    suitDistance();
     emitChange(DocumentChange::Ink);
     emitChange(DocumentChange::Reading);
+}
+
+void Document::Private::suitDistance() {
+    if (!automaticDistance) return;
+    std::vector<Stroke> strokes;
+    for (const PendingStroke& s : ink.strokes()) strokes.push_back(s.stroke);
+    const double suited = suitedDistancePx(strokes);
+    if (suited == view.thresholds.distancePx) return;
+    view.thresholds.distancePx = suited;
+    reading.reset();
+    emitChange(DocumentChange::Thresholds);
 }
 
 void Document::Private::record(ScriptStep step, int inkSerial) {
@@ -264,12 +277,22 @@ Result<void> Document::setThresholds(const Thresholds& t) {
         return fail(Errc::BadValue, "The angle threshold must be from 0.5 to 45 degrees.");
     }
     if (t == d_->view.thresholds) return {};
+    if (t.distancePx != d_->view.thresholds.distancePx) d_->automaticDistance = false;
     d_->view.thresholds = t;
     d_->reading.reset();
     d_->touch();
     d_->emitChange(DocumentChange::Thresholds);
     d_->emitChange(DocumentChange::Reading);
     return {};
+}
+
+bool Document::automaticDistance() const { return d_->automaticDistance; }
+
+void Document::setAutomaticDistance(bool automatic) {
+    d_->automaticDistance = automatic;
+    d_->suitDistance();
+    d_->emitChange(DocumentChange::Thresholds);
+    d_->emitChange(DocumentChange::Reading);
 }
 
 double Document::obliqueFactor() const { return d_->obliqueFactor; }

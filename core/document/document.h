@@ -125,7 +125,12 @@ class Document : public QObject {
     const OrthographicCamera& camera() const;
     Result<void> setCamera(const OrthographicCamera& camera);
     const Thresholds& thresholds() const;
+    /// Another distance than the one in use ends automaticDistance().
     Result<void> setThresholds(const Thresholds& thresholds);
+    /// Is the distance threshold told by the pending strokes (suitedDistancePx)? So it is until
+    /// somebody sets it.
+    bool automaticDistance() const;
+    void setAutomaticDistance(bool automatic);
     double obliqueFactor() const;
     void setObliqueFactor(double k);
 

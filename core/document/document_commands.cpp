@@ -95,6 +95,7 @@ void Document::Private::onStackMoved(int index) {
         record(RedoStep{moved});
     reading.reset();
     touch();
+    suitDistance();
     emitChange(DocumentChange::Ink);
     stateChanged(*before);
 }

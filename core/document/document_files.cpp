@@ -8,6 +8,7 @@
 #include "core/document/export_mesh.h"
 #include "core/document/file_names.h"
 #include "core/document/store.h"
+#include "core/stroke/suited_distance.h"
 
 namespace ew {
 
@@ -68,6 +69,10 @@ void Document::Private::adopt(DocumentFile file) {
     state = file.states[static_cast<std::size_t>(file.index)];
     ink.reset(std::move(file.pending), file.nextStrokeId, ink.drawn(waiting));
     view = {file.camera, file.thresholds};
+    // What the strokes would have told was most likely told by them.
+    std::vector<Stroke> strokes;
+    for (const PendingStroke& s : ink.strokes()) strokes.push_back(s.stroke);
+    automaticDistance = view.thresholds.distancePx == suitedDistancePx(strokes);
     obliqueFactor = file.obliqueFactor;
     recorder = Recorder::fromScript(file.script);
     reading.reset();

@@ -39,6 +39,7 @@ struct Document::Private {
     std::shared_ptr<const DocumentState> state;
     InkBoard ink;
     ViewSettings view;
+    bool automaticDistance = true;  ///< the distance threshold follows the pending strokes
     double obliqueFactor = kDefaultObliqueFactor;
     QUndoStack stack;
     Recorder recorder;
@@ -67,6 +68,8 @@ struct Document::Private {
     void touch();
     /// After the pending strokes changed.
     void inkChanged();
+    /// Where the distance threshold is automatic: the one that suits the pending strokes.
+    void suitDistance();
     void record(ScriptStep step, int inkSerial = Recorder::kNoInk);
     /// Removes and adds strokes as one ink change, recorded as steps that do the same.
     bool editInk(const std::vector<int>& removeIds,

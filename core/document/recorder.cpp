@@ -66,6 +66,7 @@ SketchScript Recorder::script(const ViewSettings& now) const {
     const auto needs = std::find_if(entries_.begin(), entries_.end(),
                                     [](const Entry& e) { return usesThresholds(e.step); });
     out.thresholds = needs == entries_.end() ? now.thresholds : needs->view.thresholds;
+    out.namesDistance = true;
 
     ViewSettings told;
     told.camera.width = first.width;

@@ -252,7 +252,9 @@ Result<void> beginReplay(Document& document, const SketchScript& script) {
     camera.width = script.viewport[0];
     camera.height = script.viewport[1];
     if (auto ok = document.setCamera(camera); !ok) return ok;
-    return document.setThresholds(script.thresholds);
+    if (auto ok = document.setThresholds(script.thresholds); !ok) return ok;
+    document.setAutomaticDistance(!script.namesDistance);
+    return {};
 }
 
 std::optional<std::string> fileOfStep(const ScriptStep& step) {

@@ -107,6 +107,7 @@ struct SketchScript {
     std::string title;
     std::array<double, 2> viewport{1280, 800};
     Thresholds thresholds;
+    bool namesDistance = false;  ///< else each drawing tells it: Document::automaticDistance
     std::vector<ScriptStep> steps;
 };
 

@@ -323,6 +323,7 @@ SketchScript scriptFromJson(const json& value) {
     if (const json* v = file.find("thresholds")) {
         const ThresholdsStep t = thresholdsFromJson(*v, "script: thresholds");
         script.thresholds.distancePx = t.distancePx.value_or(script.thresholds.distancePx);
+        script.namesDistance = t.distancePx.has_value();
         script.thresholds.angleDeg = t.angleDeg.value_or(script.thresholds.angleDeg);
     }
     const json::array_t& steps = readArray(file.require("steps"), file.at("steps"));
