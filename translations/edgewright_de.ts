@@ -60,6 +60,18 @@
         <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
     </message>
     <message>
+        <source>This is one flat outline; a solid needs the lines inside it too, where its faces meet.</source>
+        <translation>Das ist ein flacher Umriss; ein Körper braucht auch die Linien darin, an denen seine Flächen sich treffen.</translation>
+    </message>
+    <message>
+        <source>Just two faces are drawn here; this could be a %1. Choose it, or draw the third face.</source>
+        <translation>Hier sind nur zwei Flächen gezeichnet; das könnte ein %1 sein. Wählen oder die dritte Fläche zeichnen.</translation>
+    </message>
+    <message>
+        <source>As it is drawn this %1 would be far deeper than it is wide, or hardly thicker than a line; choose it, or draw it from another side.</source>
+        <translation>So gezeichnet wäre %1 viel tiefer als breit oder kaum dicker als eine Linie; wählen oder von einer anderen Seite zeichnen.</translation>
+    </message>
+    <message>
         <source>Seen from here a %1 looks like simpler solids; choose it, or turn the view and draw again.</source>
         <translation>Von hier aus sieht %1 wie einfachere Körper aus; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
     </message>
@@ -454,6 +466,14 @@
     <message>
         <source>Nearest parallel projection</source>
         <translation>Nächste Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Read in perspective: lines that run away come together.</source>
+        <translation>Perspektivisch gelesen: Linien, die in die Tiefe laufen, nähern sich einander.</translation>
     </message>
     <message>
         <source>Oblique</source>

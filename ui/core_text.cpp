@@ -42,6 +42,16 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "Core", "This could be %1, but only without some of the lines; choose it, or draw on."),
     QT_TRANSLATE_NOOP("Core",
+                      "This is one flat outline; a solid needs the lines inside it too, where its "
+                      "faces meet."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Just two faces are drawn here; this could be a %1. Choose it, or draw the "
+                      "third face."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "As it is drawn this %1 would be far deeper than it is wide, or hardly thicker "
+        "than a line; choose it, or draw it from another side."),
+    QT_TRANSLATE_NOOP("Core",
                       "Seen from here a %1 looks like simpler solids; choose it, or turn the view "
                       "and draw again."),
     QT_TRANSLATE_NOOP("Core",
@@ -172,6 +182,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1 lines meet here"),
     QT_TRANSLATE_NOOP("Core", "Parallel projection"),
     QT_TRANSLATE_NOOP("Core", "Nearest parallel projection"), QT_TRANSLATE_NOOP("Core", "Oblique"),
+    QT_TRANSLATE_NOOP("Core", "Perspective"),
+    QT_TRANSLATE_NOOP("Core", "Read in perspective: lines that run away come together."),
     QT_TRANSLATE_NOOP("Core", "Most regular"), QT_TRANSLATE_NOOP("Core", "Isosceles"),
     QT_TRANSLATE_NOOP("Core", "Right-angled"), QT_TRANSLATE_NOOP("Core", "Right-angled corner"),
     QT_TRANSLATE_NOOP("Core", "Cube"),

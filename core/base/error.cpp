@@ -31,6 +31,8 @@ std::string_view errcName(Errc code) {
             return "separate-drawings";
         case Errc::NoRegion:
             return "no-region";
+        case Errc::FlatDrawing:
+            return "flat-drawing";
         case Errc::NoMatch:
             return "no-match";
         case Errc::Ambiguous:

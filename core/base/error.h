@@ -27,6 +27,7 @@ enum class Errc {
     SelfCrossing,      ///< "self-crossing": edges cross where no junction is
     SeparateDrawings,  ///< "separate-drawings": more than one connected drawing
     NoRegion,          ///< "no-region": the lines enclose nothing
+    FlatDrawing,       ///< "flat-drawing": an outline without lines inside it
     // Matching and reconstruction
     NoMatch,              ///< "no-match": no template shows this graph
     Ambiguous,            ///< "ambiguous": several readings, none clearly best

@@ -149,4 +149,13 @@ double graphExtent(const EdgeGraph& graph) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
+bool isOneOutline(const EdgeGraph& graph) {
+    std::vector<int> degree(graph.junctions.size(), 0);
+    for (const GraphEdge& e : graph.edges) {
+        for (const int j : e.ends) ++degree[static_cast<std::size_t>(j)];
+    }
+    return !graph.empty() &&
+           std::none_of(degree.begin(), degree.end(), [](int d) { return d > 2; });
+}
+
 }  // namespace ew

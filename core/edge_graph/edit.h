@@ -18,4 +18,7 @@ std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph);
 /// Bounding-box diagonal of the junctions [px].
 double graphExtent(const EdgeGraph& graph);
 
+/// Is the graph one closed line, with no junction of more than two edges?
+bool isOneOutline(const EdgeGraph& graph);
+
 }  // namespace ew

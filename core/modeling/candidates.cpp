@@ -9,6 +9,9 @@
 #include "core/base/tolerance.h"
 #include "core/modeling/body_frame.h"
 #include "core/modeling/general_fit.h"
+#include "core/modeling/ink_on_solid.h"
+#include "core/modeling/perspective_fit.h"
+#include "core/modeling/reading_params.h"
 #include "core/modeling/rectilinear_fit.h"
 #include "core/modeling/start_points.h"
 
@@ -18,24 +21,32 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double kRadian = 180.0 / std::numbers::pi;
 
-/// Squared distances of line ends to the projected edges over what this hand's noise explains.
-double misfit(const Sighting& s, const TemplateAnalysis& analysis, const CameraPoints& points,
-              double noisePx, const Thresholds& thresholds) {
-    const double directionDeg =
-        std::min(thresholds.angleDeg * tol::kDirectionShare, 0.1 + tol::kDirectionPerPx * noisePx);
-    double sum = 0;
+/// How far line ends are from the projected edges.
+struct Misfit {
+    double perEnd = 0.0;  ///< squared distance over its variance, on average
+    double cost = 0.0;    ///< twice the negative log-likelihood
+};
+
+/// What a hand explains of it: ends that miss the corner, and corners that are not where they are
+/// meant to be. The tails are Student's, so that one slip, or a hand that is worse than it looks,
+/// does not make a freer shape out of a plain one.
+Misfit misfitOf(const Sighting& s, const TemplateAnalysis& analysis, const CameraPoints& points,
+                double noisePx, double cornerPx) {
+    const double variance = noisePx * noisePx + cornerPx * cornerPx;
+    constexpr double kNu = params::kTailFreedoms;
+    Misfit sum;
     for (const DrawnEdge& d : s.edges) {
         const auto& ends = analysis.edges[at(d.edge)].ends;
         const Vec2 a = points[at(ends[0])].head<2>();
         const Vec2 u = points[at(ends[1])].head<2>() - a;
         const double len = std::max(u.norm(), 1e-9);
-        const double turn = 0.5 * d.length() * std::sin(directionDeg / kRadian);
-        const double variance = noisePx * noisePx + turn * turn;
         for (const Vec2& tip : d.tips) {
             const double off = cross2(u, tip - a) / len;
-            sum += off * off / variance;
+            sum.perEnd += off * off / variance;
+            sum.cost += (kNu + 1.0) * std::log1p(off * off / variance / kNu);
         }
     }
+    sum.perEnd /= static_cast<double>(2 * s.edges.size());
     return sum;
 }
 
@@ -47,6 +58,7 @@ class Reader {
           entry_(*match.entry),
           sighting_(sightingOf(graph, match, context.options.thresholds.distancePx)),
           noisePx_(context.noisePx),
+          cornerPx_(context.cornerPx),
           worthCost_(context.worthCost) {
         sighting_.doubt = std::clamp(noisePx_ - tol::kNoiseFloorPx, 0.0, 1.0);
     }
@@ -126,12 +138,12 @@ class Reader {
         c.residualPx = residualPx(sighting_, entry_.analysis, points);
         c.junctionVertex = match_.vertex;
         c.missingEdges = match_.missingEdges;
-        const double misfitSum =
-            misfit(sighting_, entry_.analysis, points, noisePx_, options_.thresholds);
-        r.misfit = misfitSum / static_cast<double>(2 * sighting_.edges.size());
-        r.cost = misfitSum + tol::kFreedomCost * parameters +
+        const Misfit misfit = misfitOf(sighting_, entry_.analysis, points, noisePx_, cornerPx_);
+        r.misfit = misfit.perEnd;
+        r.cost = misfit.cost + params::kFreedomCost * parameters +
                  tol::kMissingEdgeCost * match_.missingEdges;
         r.parallelDeg = match_.parallelDeg;
+        r.parameters = parameters;
         r.withinThresholds = match_.parallelDeg <= options_.thresholds.angleDeg &&
                              match_.bentDeg <= 2 * options_.thresholds.angleDeg &&
                              c.residualPx <= tol::kClearResidual * options_.thresholds.distancePx;
@@ -199,17 +211,22 @@ class Reader {
     void rectilinear(std::optional<Vec2>& impossibleCorner) {
         const auto picture = fitAffine(sighting_, entry_.analysis);
         if (!picture) return;
+        parallelViews(*picture, impossibleCorner);
+        perspective(*picture);
+    }
+
+    void parallelViews(const AffinePicture& picture, std::optional<Vec2>& impossibleCorner) {
         const RectilinearStructure& r = *entry_.analysis.rectilinear;
         const int parameters = 2 + r.planeCount[0] + r.planeCount[1] + r.planeCount[2];
-        const CriticalAngle critical = criticalAngle(*picture);
+        const CriticalAngle critical = criticalAngle(picture);
         const double spread = critical.spreadDeg * noisePx_ / std::max(sighting_.acrossPx, 1e-9);
-        const bool solved = addOrthographic(*picture, DepthRule::Orthographic, parameters);
+        const bool solved = addOrthographic(picture, DepthRule::Orthographic, parameters);
         const bool doubtful = critical.offDeg < tol::kUnreliableCornerDeg;
         if (solved && !doubtful) {
             // The drawing says what it is; the oblique reading is there for those who never draw
             // otherwise.
             const double price = out_.front().cost + tol::kUnlikelyReadingCost;
-            if (critical.offDeg < tol::kObliqueLimitDeg && addOblique(*picture, parameters) < 1e9) {
+            if (critical.offDeg < tol::kObliqueLimitDeg && addOblique(picture, parameters) < 1e9) {
                 out_.back().cost = price;
             }
             return;
@@ -217,7 +234,7 @@ class Reader {
 
         double snapMoved = 0;
         if (!solved) {
-            const AffinePicture snapped = snapToSolvable(*picture, tol::kSnapMarginDeg, snapMoved);
+            const AffinePicture snapped = snapToSolvable(picture, tol::kSnapMarginDeg, snapMoved);
             if (critical.offDeg + tol::kSnapMarginDeg > tol::kSnapLimitDeg ||
                 !addOrthographic(snapped, DepthRule::Snapped, parameters)) {
                 impossibleCorner = cornerPlace(critical);
@@ -230,7 +247,7 @@ class Reader {
                     "taken.");
             }
         }
-        const double obliqueMoved = addOblique(*picture, parameters);
+        const double obliqueMoved = addOblique(picture, parameters);
         if (out_.size() < 2) return;
         // Which comes first: the one that moves the ink less, but a solution that rests on an angle
         // which this hand cannot have meant exactly yields to the oblique reading.
@@ -244,6 +261,54 @@ class Reader {
         } else {
             out_.back().cost = out_.front().cost + 0.5;
         }
+    }
+
+    /// A box in perspective is no frustum: where lines converge as they would for an eye nearby,
+    /// the solid is the one that this eye saw.
+    void perspective(const AffinePicture& picture) {
+        if (out_.empty() || out_.front().misfit * sighted() < params::kPerspectiveCost) return;
+        auto depths = cornerDepths(picture.axes);
+        if (!depths) {
+            double moved = 0;
+            depths = cornerDepths(snapToSolvable(picture, tol::kSnapMarginDeg, moved).axes);
+        }
+        if (!depths) return;
+        const double least = out_.front().cost;
+        for (const double sign : {1.0, -1.0}) {
+            for (double& d : *depths) d *= sign;
+            const auto seen = fitPerspective(sighting_, entry_.analysis, picture, *depths);
+            if (seen) addPerspective(*seen, least);
+        }
+    }
+
+    /// Line ends that count in misfitOf().
+    double sighted() const { return static_cast<double>(2 * sighting_.edges.size()); }
+
+    /// \param least  cost of the best parallel view.
+    void addPerspective(const PerspectivePicture& seen, double least) {
+        const RectilinearStructure& r = *entry_.analysis.rectilinear;
+        CameraPoints drawn;
+        for (std::size_t v = 0; v < entry_.tmpl.shape.vertices.size(); ++v) {
+            drawn.push_back(seen.at(r, v));
+        }
+        bool mirrored = false;
+        if (!facesLookRight(entry_.tmpl, sighting_, drawn, mirrored)) return;
+        const int parameters = 2 + r.planeCount[0] + r.planeCount[1] + r.planeCount[2];
+        RatedCandidate rated = blank(drawn, parameters);
+        rated.cost += params::kPerspectiveCost;
+        // What is parallel comes together, so the angle threshold does not speak.
+        rated.withinThresholds =
+            rated.candidate.residualPx <= tol::kClearResidual * options_.thresholds.distancePx;
+        if (rated.cost >= least) return;
+        const PlacedBody body =
+            placeRectilinear(entry_.tmpl, r, seen.parallel, seen.axes, sighting_, options_.camera);
+        rated.candidate.spec = body.spec;
+        rated.candidate.pose = body.pose;
+        rated.candidate.depth = DepthRule::Perspective;
+        rated.candidate.readingId = "perspective";
+        rated.candidate.readingName = "Perspective";
+        rated.candidate.notes.push_back("Read in perspective: lines that run away come together.");
+        out_.insert(out_.begin(), std::move(rated));
     }
 
     double addOblique(const AffinePicture& picture, int parameters) {
@@ -299,8 +364,9 @@ class Reader {
     }
 
     void general() {
-        const double atLeast = tol::kFreedomCost * templateFreedoms(entry_.tmpl, entry_.analysis) +
-                               tol::kMissingEdgeCost * match_.missingEdges;
+        const double atLeast =
+            params::kFreedomCost * templateFreedoms(entry_.tmpl, entry_.analysis) +
+            tol::kMissingEdgeCost * match_.missingEdges;
         if (atLeast > worthCost_) return;
         const SolverRelations relations = solverRelations(entry_.analysis);
         std::optional<GeneralSolution> best;
@@ -341,6 +407,7 @@ class Reader {
     const LibraryEntry& entry_;
     Sighting sighting_;
     double noisePx_;
+    double cornerPx_;
     double worthCost_;
     std::vector<RatedCandidate> out_;
 };
@@ -372,23 +439,34 @@ double drawingNoisePx(const EdgeGraph& graph) {
     return std::sqrt(variance + tol::kNoiseFloorPx * tol::kNoiseFloorPx);
 }
 
+double cornerSpread(const InkReading& ink, double distancePx, double noisePx) {
+    double length = 0;
+    for (const Segment& s : ink.segments) length += s.inkPx;
+    const double mean = length / std::max<double>(1.0, static_cast<double>(ink.segments.size()));
+    const double least = std::max(params::kCornerSpreadLeastPx, params::kCornerSpreadShare * mean);
+    // What its ends miss each other by and its lines' noise does not explain.
+    const double ends = endSpread(ink.segments, distancePx);
+    return std::sqrt(least * least + std::max(0.0, ends * ends - noisePx * noisePx));
+}
+
 std::vector<RatedCandidate> readingsOf(const EdgeGraph& graph, const GraphMatch& match,
                                        const ReadingContext& context,
                                        std::optional<Vec2>& impossibleCorner) {
     return Reader(graph, match, context).run(impossibleCorner);
 }
 
-std::vector<RatedCandidate> namedReadings(const EdgeGraph& graph, const RatedCandidate& base,
-                                          const ReadingContext& context) {
-    Reader reader(graph, base.match, context);
+void addNamedReadings(std::vector<RatedCandidate>& candidates, const ReadingContext& context) {
+    if (candidates.empty() || candidates.front().entry->tmpl.readings.empty()) return;
+    const RatedCandidate base = candidates.front();
+    Reader reader(*base.graph, base.match, context);
     reader.named(base);
-    std::vector<RatedCandidate> readings = reader.take();
     double cost = base.cost;
-    for (RatedCandidate& r : readings) {
+    for (RatedCandidate& r : reader.take()) {
         cost += 0.25;
         r.cost = std::max(r.cost, cost);
+        r.graph = base.graph;
+        candidates.push_back(std::move(r));
     }
-    return readings;
 }
 
 }  // namespace ew

@@ -58,15 +58,17 @@ class Explainer {
 
     void run() {
         markNoise();
-        if (r_.graph.empty()) {
+        if (f_.flat) {
+            flatDrawing();
+        } else if (r_.graph.empty()) {
             if (!openEnds()) nothingClosed();
         } else if (!f_.otherParts.empty()) {
             separateDrawings();
-        } else if (f_.candidates->empty() || f_.blockedByOpenEnd) {
+        } else if (f_.candidates->empty() || f_.onlyOutlines || f_.blockedByOpenEnd) {
             if (!openEnds() && !impossibleCorner() && !selfCrossing()) noMatch();
         } else if (!f_.candidates->front().withinThresholds) {
             outsideThresholds();
-        } else if (f_.ambiguous || f_.leavesInk || f_.accidental) {
+        } else if (f_.ambiguous || f_.leavesInk || f_.accidental || f_.absurd || f_.twoFaces) {
             ambiguous();
         }
         if (!r_.problem) noMatch();
@@ -91,12 +93,23 @@ class Explainer {
         }
     }
 
+    void flatDrawing() {
+        std::vector<Vec2> where;
+        if (!r_.graph.junctions.empty()) where.push_back(r_.graph.junctions.front().position);
+        problem(Errc::FlatDrawing,
+                "This is one flat outline; a solid needs the lines inside it too, where its faces "
+                "meet.",
+                std::move(where));
+    }
+
     bool openEnds() {
-        if (r_.graph.openEnds.empty()) return false;
         std::vector<Vec2> where;
         const double threshold = options_.thresholds.distancePx;
         double widest = 0;
         std::vector<OpenEnd> ends = r_.graph.openEnds;
+        // What is nearer than the threshold was bridged already, and that changed nothing.
+        std::erase_if(ends, [&](const OpenEnd& o) { return o.gapPx <= threshold; });
+        if (ends.empty()) return false;
         std::sort(ends.begin(), ends.end(),
                   [](const OpenEnd& a, const OpenEnd& b) { return a.gapPx < b.gapPx; });
         std::set<int> lines;
@@ -150,10 +163,13 @@ class Explainer {
             curves += n.kind == NoiseKind::Curve ? 1 : 0;
             scribbles += n.kind == NoiseKind::Scribble ? 1 : 0;
             dots += n.kind == NoiseKind::Dot ? 1 : 0;
-            if (!n.polyline.empty()) where.push_back(n.polyline.front());
+            // Where there are curves among lines, they are why.
+            if (n.kind == NoiseKind::Curve && curves == 1) where.clear();
+            if (curves > 0 && n.kind != NoiseKind::Curve) continue;
+            if (!n.polyline.empty()) where.push_back(n.polyline[n.polyline.size() / 2]);
         }
         const std::size_t lines = r_.graph.noise.size() - curves - scribbles - dots;
-        if (lines > 0) {
+        if (lines > 0 && curves == 0) {
             problem(Errc::NoRegion, "The lines enclose nothing: a solid needs closed outlines.",
                     std::move(where));
         } else if (curves > 0) {
@@ -319,6 +335,13 @@ class Explainer {
         if (f_.leavesInk) {
             message = "This could be a " + names +
                       ", but only without some of the lines; choose it, or draw on.";
+        } else if (f_.twoFaces) {
+            message = "Just two faces are drawn here; this could be a " + names +
+                      ". Choose it, or draw the third face.";
+        } else if (f_.absurd) {
+            message = "As it is drawn this " + names +
+                      " would be far deeper than it is wide, or hardly thicker than a line; choose "
+                      "it, or draw it from another side.";
         } else if (f_.accidental) {
             message = "Seen from here a " + names +
                       " looks like simpler solids; choose it, or turn the view and draw again.";

@@ -14,9 +14,13 @@ struct Findings {
     const std::vector<RatedCandidate>* candidates = nullptr;  ///< best first
     std::optional<Vec2> impossibleCorner;  ///< a drawn corner that breaks Perkins' law
     std::vector<EdgeGraph> otherParts;     ///< further connected drawings
+    bool onlyOutlines = false;             ///< the candidates are none of the graph's
     bool ambiguous = false;                ///< two different candidates too close
     bool leavesInk = false;         ///< the best leaves more ink aside than a slip of the pen
+    bool twoFaces = false;          ///< just two faces of the best were drawn
     bool accidental = false;        ///< nothing that is seen tells the best from simpler shapes
+    bool flat = false;              ///< one outline and nothing inside it
+    bool absurd = false;            ///< the best is far deeper or thinner than it was drawn
     bool blockedByOpenEnd = false;  ///< a match exists, but only without an open line
 };
 

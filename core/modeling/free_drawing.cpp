@@ -11,95 +11,21 @@
 #include "core/edge_graph/canonical.h"
 #include "core/edge_graph/edit.h"
 #include "core/edge_graph/repair.h"
-#include "core/modeling/accidental.h"
 #include "core/modeling/box_on_solid.h"
 #include "core/modeling/candidates.h"
 #include "core/modeling/diagnose.h"
+#include "core/modeling/graph_reading.h"
 #include "core/modeling/ink_on_solid.h"
+#include "core/modeling/ink_shares.h"
 #include "core/modeling/outline_reading.h"
+#include "core/modeling/reading_params.h"
 #include "core/modeling/reading_price.h"
+#include "core/modeling/reading_tolerances.h"
+#include "core/modeling/rivals.h"
 #include "core/tlib/matcher.h"
 
 namespace ew {
 namespace {
-
-/// One way to read the strokes, with what it leads to.
-struct Reading {
-    EdgeGraph graph;
-    std::vector<EdgeGraph> otherParts;
-    std::vector<RatedCandidate> candidates;  ///< best first
-    std::optional<Vec2> impossibleCorner;
-    int extraEdges = 0;
-    double price = 0.0;  ///< of the graph: ink dropped or bent straight, second looks, extra edges
-    double strayPrice = 0.0;  ///< ... that part of it which is for ink dropped
-    double cost = 0.0;        ///< of the best candidate, price included
-    bool clear = false;
-    bool ambiguous = false;
-};
-
-/// Tolerances to try, the plain ones first. None joins ends at a corner from farther than the
-/// distance threshold; only a gap inside an edge may be wider.
-const std::vector<ReadingOptions>& readingOptions() {
-    static const std::vector<ReadingOptions> kOptions{
-        {},
-        {1.0, 0.6, 0.4},
-        {0.72, 0.8, 0.4},
-        {1.0, 1.3, 0.7},
-        {1.0, 1.0, 0.1},
-        {0.72, 0.6, 0.2},
-        {0.85, 1.0, 0.7},
-        {0.55, 0.6, 0.2},
-        {1.0, 1.0, 0.4, 2.2},
-        {0.8, 0.8, 0.4, 2.2},
-    };
-    return kOptions;
-}
-
-/// Where the search for repairs starts from.
-struct DraftOptions {
-    ReadingOptions reading;
-    double price = 0.0;
-    double leastSpread = 0.0;  ///< for hands that miss by that much only [distance thresholds]
-};
-const std::vector<DraftOptions>& draftOptions() {
-    static const std::vector<DraftOptions> kOptions{
-        {{}},
-        {{1.0, 1.3, 0.7}, tol::kSecondLookCost},
-        {{0.72, 0.6, 0.2}, tol::kSecondLookCost},
-        {{1.0, 1.6, 0.7}, 2 * tol::kSecondLookCost, kUnsteadySpread},
-        {{1.4, 1.0, 0.4, 1.8}, 4 * tol::kSecondLookCost, 0.25},
-    };
-    return kOptions;
-}
-
-/// How much dearer the next different candidate must be. A drawing with a line too many or too few
-/// could have been meant as something else altogether.
-double clearMargin(const Candidate& best) {
-    return best.missingEdges + best.extraEdges > 0 ? tol::kClearMarginImperfect : tol::kClearMargin;
-}
-
-/// Is the best candidate clear enough to be taken by itself?
-void judge(Reading& r) {
-    if (r.candidates.empty()) return;
-    const RatedCandidate& best = r.candidates.front();
-    r.cost = best.cost;
-    const double margin = clearMargin(best.candidate);
-    for (const RatedCandidate& other : r.candidates) {
-        if (best.candidate.templateId != other.candidate.templateId && other.withinThresholds &&
-            other.cost < best.cost + margin) {
-            r.ambiguous = true;
-        }
-    }
-    r.clear = best.withinThresholds && !r.ambiguous;
-}
-
-void sortCandidates(std::vector<RatedCandidate>& candidates) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const RatedCandidate& a, const RatedCandidate& b) {
-                         if (a.withinThresholds != b.withinThresholds) return a.withinThresholds;
-                         return a.cost < b.cost;
-                     });
-}
 
 class Pipeline {
   public:
@@ -114,20 +40,22 @@ class Pipeline {
     Interpretation run() {
         buildReadings();
         context_.noisePx = commonNoise();
-        for (Reading& r : readings_) match(r, false);
+        context_.cornerPx = cornerSpread(ink_, options_.thresholds.distancePx, context_.noisePx);
+        drawn_ = readings_;
+        for (GraphReading& r : readings_) match(r, false);
         std::size_t best = 0;
         for (std::size_t i = 1; i < readings_.size(); ++i) {
             if (better(readings_[i], readings_[best])) best = i;
         }
-        Reading chosen = readings_[best];
+        GraphReading chosen = readings_[best];
         const bool wasClear = chosen.clear;
-        if (!chosen.clear) tryOutlines(chosen);
+        if (!chosen.clear || fitsPoorly(chosen.candidates.front())) tryOutlines(chosen, true);
         if (!chosen.clear || chosen.candidates.front().misfit > tol::kDoubtfulMisfit ||
             (!wasClear && rivalOf(chosen) != nullptr)) {
             tryRepairs(chosen);
             tryImperfect(chosen);
         }
-        if (wasClear && !isBox(*chosen.candidates.front().entry)) tryOutlines(chosen);
+        if (wasClear && !isBox(*chosen.candidates.front().entry)) tryOutlines(chosen, false);
         addRival(chosen);
         return conclude(chosen);
     }
@@ -142,7 +70,7 @@ class Pipeline {
         for (std::size_t i = 0; i < ways.size(); ++i) {
             for (EdgeGraph& graph :
                  buildEdgeGraphs(ink_, options_.thresholds.distancePx, ways[i])) {
-                Reading r = read(std::move(graph));
+                GraphReading r = read(std::move(graph));
                 if (i > 0) r.price += tol::kSecondLookCost;
                 const std::string key = canonicalForm(planeGraph(r.graph)).code + "/" +
                                         std::to_string(static_cast<int>(r.price));
@@ -155,24 +83,15 @@ class Pipeline {
     /// makes a good hand look bad.
     double commonNoise() const {
         double noise = std::numeric_limits<double>::infinity();
-        for (const Reading& r : readings_) {
+        for (const GraphReading& r : readings_) {
             if (!r.graph.empty()) noise = std::min(noise, drawingNoisePx(r.graph));
         }
         const double hand = handNoisePx(ink_);
         return std::isfinite(noise) ? std::max(noise, hand) : std::max(1.0, hand);
     }
 
-    static bool better(const Reading& a, const Reading& b) {
-        if (a.candidates.empty()) return false;
-        if (b.candidates.empty()) return true;
-        const bool withinA = a.candidates.front().withinThresholds;
-        const bool withinB = b.candidates.front().withinThresholds;
-        if (withinA != withinB) return withinA;
-        return a.cost < b.cost;
-    }
-
-    Reading read(EdgeGraph graph) const {
-        Reading r;
+    GraphReading read(EdgeGraph graph) const {
+        GraphReading r;
         const double distance = options_.thresholds.distancePx;
         std::vector<EdgeGraph> parts = connectedParts(graph);
         r.graph = std::move(parts.front());
@@ -194,7 +113,7 @@ class Pipeline {
         return r;
     }
 
-    void match(Reading& r, bool allowMissing) {
+    void match(GraphReading& r, bool allowMissing) {
         MatchOptions m;
         m.distancePx = options_.thresholds.distancePx;
         m.templateId = options_.templateId;
@@ -214,11 +133,15 @@ class Pipeline {
         judge(r);
     }
 
-    void addReadings(Reading& r, const GraphMatch& match) {
+    void addReadings(GraphReading& r, const GraphMatch& match, bool interrupted = false) {
         context_.worthCost = worthCost_ - r.price;
+        const auto graph = std::make_shared<const EdgeGraph>(r.graph);
         for (RatedCandidate& c : readingsOf(r.graph, match, context_, r.impossibleCorner)) {
             c.candidate.extraEdges = r.extraEdges;
+            c.interrupted = interrupted || match.aspect->edgeOn;
+            c.graph = graph;
             if (!isBox(*c.entry)) c.cost += tol::kBoxesAreUsual;
+            if (match.aspect->edgeOn) c.cost += params::kEdgeOnCost;
             c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
             if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
             if (c.withinThresholds)
@@ -229,48 +152,67 @@ class Pipeline {
 
     /// Does the best candidate of a reading by outline leave little enough ink aside, and bare of
     /// ink little enough of its edges, to be taken by itself?
-    bool outlineTells(const Reading& r) const {
+    bool outlineTells(const GraphReading& r) const {
         const RatedCandidate& best = r.candidates.front();
-        // A careless hand retraces an edge farther off than its ends tell.
-        return r.price + (1 + tol::kBesideOutline) * unexplainedPrice(best, 1.0) <=
+        // A careless hand retraces an edge farther off than its ends tell. A window or a label
+        // says nothing against the solid.
+        InkShares beside = shares(best, 1.0);
+        if (!best.interrupted) beside.detail = 0.0;
+        return r.price + (1 + tol::kBesideOutline) * priceOf(beside, 1.0) <=
                tol::kOutlineTells * (static_cast<double>(best.match.edge.size()) - 2.0);
     }
 
-    /// Aspects laid over the ink: where line ends joined wrongly the outline may still tell.
-    void tryOutlines(Reading& best) {
+    /// A steady hand's ends say what they mean; a gap of it is to be told, not bridged.
+    bool isSteady() const { return spreadPx_ < kUnsteadySpread * options_.thresholds.distancePx; }
+
+    /// Aspects laid over the ink: where line ends joined wrongly, or lines that are none of the
+    /// solid's cut its edges, the outline may still tell.
+    /// \param all  every template, and also in the directions of the ink.
+    void tryOutlines(GraphReading& best, bool all) {
+        if (best.clear && isSteady()) return;
         const double distance = options_.thresholds.distancePx;
-        // A steady hand's ends say what they mean; a gap of it is to be told, not bridged.
-        if (spreadPx_ < kUnsteadySpread * distance) return;
         const OutlineOptions o{
-            distance, std::max(tol::kTurnExcuse * distance, tol::kTurnSpreads * spreadPx_)};
+            distance, std::max(tol::kTurnExcuse * distance, tol::kTurnSpreads * spreadPx_), all};
         for (const auto& entry : library_.index().entries) {
             if (!options_.templateId.empty() && entry->tmpl.id != options_.templateId) continue;
-            if (best.clear && !entry->analysis.rectilinear) continue;
+            if (!all && !entry->analysis.rectilinear) continue;
             for (OutlineReading& laid : readingsByOutline(ink_, entry, o)) {
-                Reading r;
-                r.graph = std::move(laid.graph);
-                r.graph.noise = ink_.noise;
-                r.otherParts = best.otherParts;
-                r.price = tol::kSecondLookCost + bentPrice(r.graph, ink_.wobblePx) +
-                          tol::kExtraEdgeCost * laid.barePx / (4.0 * distance);
-                addReadings(r, laid.match);
-                std::erase_if(r.candidates,
-                              [&](const RatedCandidate& c) { return leavesTooMuch(c); });
-                // Ink beside an outline that was laid over it was drawn for something.
-                for (RatedCandidate& c : r.candidates)
-                    c.cost += tol::kBesideOutline * unexplainedPrice(c);
-                sortCandidates(r.candidates);
-                judge(r);
-                r.clear = r.clear && outlineTells(r);
+                const double gap = laid.widestGapPx;
+                GraphReading r = readOutline(laid, best);
                 if (r.candidates.empty()) continue;
+                if (!r.clear || (isSteady() && gap > distance)) {
+                    offered_.push_back(r);
+                    if (!isSteady()) readings_.push_back(std::move(r));
+                    continue;
+                }
                 if (better(r, best)) best = r;
                 readings_.push_back(std::move(r));
             }
         }
     }
 
+    GraphReading readOutline(OutlineReading& laid, const GraphReading& best) {
+        GraphReading r;
+        r.graph = std::move(laid.graph);
+        r.graph.noise = ink_.noise;
+        r.otherParts = best.otherParts;
+        r.price = tol::kSecondLookCost + bentPrice(r.graph, ink_.wobblePx) +
+                  tol::kExtraEdgeCost * laid.barePx / (4.0 * options_.thresholds.distancePx);
+        addReadings(r, laid.match, laid.widestGapPx > options_.thresholds.distancePx);
+        std::erase_if(r.candidates, [&](const RatedCandidate& c) { return leavesTooMuch(c); });
+        // Ink beside an outline that was laid over it was drawn for something.
+        for (RatedCandidate& c : r.candidates) {
+            c.cost += tol::kBesideOutline * unexplainedPrice(c);
+            c.outline = true;
+        }
+        sortCandidates(r.candidates);
+        judge(r);
+        r.clear = r.clear && outlineTells(r);
+        return r;
+    }
+
     /// Small corrections of the graph, as far as this hand's errors suggest them.
-    void tryRepairs(Reading& best) {
+    void tryRepairs(GraphReading& best) {
         const double distance = options_.thresholds.distancePx;
         RepairOptions o;
         o.distancePx = distance;
@@ -294,7 +236,7 @@ class Pipeline {
             o.maxStates = std::min(o.maxStates, 800000 / (n * n + 1));
         }
         for (RepairedGraph& repaired : repairedGraphs(ink_, drafts, o)) {
-            Reading r = read(std::move(repaired.graph));
+            GraphReading r = read(std::move(repaired.graph));
             r.extraEdges = repaired.dropped;
             r.price += repaired.price;
             match(r, false);
@@ -304,55 +246,57 @@ class Pipeline {
         }
     }
 
-    /// Length of the ink that runs far from every edge of this candidate: it meant something else
-    /// [px].
-    double unexplainedPx(const RatedCandidate& c, double share = 0.5) const {
+    /// \param share  how near ink must be to an edge [distance thresholds].
+    InkShares shares(const RatedCandidate& c, double share = 0.5) const {
+        return shareInk(ink_, c, nearPx(share), options_.thresholds.distancePx);
+    }
+    double nearPx(double share) const {
         const double distance = options_.thresholds.distancePx;
-        const double near = std::min(distance, std::max(share * distance, 3.0 * context_.noisePx));
-        double length = 0;
-        for (const Segment& s : ink_.segments) {
-            std::size_t far = 0;
-            for (const Vec2& p : s.points) {
-                const bool explained =
-                    std::any_of(c.match.edge.begin(), c.match.edge.end(), [&](int e) {
-                        const auto& ends =
-                            c.entry->analysis.edges[static_cast<std::size_t>(e)].ends;
-                        const Vec2 a = c.drawn[static_cast<std::size_t>(ends[0])].head<2>();
-                        const Vec2 b = c.drawn[static_cast<std::size_t>(ends[1])].head<2>();
-                        // Overshoot is no other line.
-                        return distanceToSegment(p, a, b, distance) <= near;
-                    });
-                if (!explained) ++far;
-            }
-            length += s.inkPx * static_cast<double>(far) / static_cast<double>(s.points.size());
-        }
-        return length;
+        // Whose lines end far from each other draws them beside where they are meant, too.
+        const bool careless = context_.cornerPx > params::kCarelessCorner * distance;
+        const double hand =
+            careless ? std::hypot(context_.noisePx, context_.cornerPx) : context_.noisePx;
+        return std::min(distance, std::max(share * distance, 3.0 * hand));
     }
 
+    /// How near to an edge ink runs that was drawn for it. What a steady hand draws beside an edge
+    /// is something else.
+    double meantPx(const RatedCandidate& c) const {
+        if (!isSteady()) return options_.thresholds.distancePx;
+        const double hand = std::hypot(context_.noisePx, c.candidate.residualPx);
+        return std::min(options_.thresholds.distancePx, params::kLeastBesidePx + 3.0 * hand);
+    }
+
+    /// Price of ink that runs along no edge of this candidate.
     double unexplainedPrice(const RatedCandidate& c, double share = 0.5) const {
-        return tol::kExtraEdgeCost * unexplainedPx(c, share) /
+        return priceOf(shares(c, share), c.interrupted ? 1.0 : params::kDetailShare);
+    }
+
+    double priceOf(const InkShares& ink, double detailShare) const {
+        return tol::kExtraEdgeCost *
+               (ink.stray + detailShare * ink.detail + params::kHiddenShare * ink.hidden) /
                (4.0 * options_.thresholds.distancePx);
     }
 
     /// Does this candidate leave more of the ink aside than a slip of the pen? The fewer edges
     /// it shows, the less it says that they fit.
     bool leavesTooMuch(const RatedCandidate& c) const {
-        double all = 0;
-        for (const Segment& s : ink_.segments) all += s.inkPx;
+        const InkShares ink = shares(c);
         const auto edges = static_cast<double>(c.match.aspect->graph.edges.size());
         const double limit =
             std::min(tol::kMostUnexplained, tol::kUnexplainedPerEdge * (edges - 2.0));
-        return unexplainedPx(c) > limit * all;
+        const double beside = ink.stray + (c.interrupted ? ink.detail : 0.0);
+        return beside > limit * (ink.edges + beside);
     }
 
     /// An edge too many or too few: each edge left out in turn, then aspects with one edge less.
-    void tryImperfect(Reading& best) {
+    void tryImperfect(GraphReading& best) {
         std::size_t tried = 0;
-        for (const Reading& base : readings_) {
+        for (const GraphReading& base : readings_) {
             if (base.graph.edges.size() > 30 || base.graph.edges.size() < 5) continue;
             if (++tried > 3) break;
             for (std::size_t e = 0; e < base.graph.edges.size(); ++e) {
-                Reading r;
+                GraphReading r;
                 r.graph = withoutEdges(base.graph, {static_cast<int>(e)});
                 if (r.graph.edges.size() < 5) continue;
                 r.otherParts = base.otherParts;
@@ -361,7 +305,7 @@ class Pipeline {
                 match(r, false);
                 if (better(r, best)) best = std::move(r);
             }
-            Reading r;
+            GraphReading r;
             r.graph = base.graph;
             r.otherParts = base.otherParts;
             r.price = base.price;
@@ -372,65 +316,90 @@ class Pipeline {
 
     /// Other graphs' candidates compete too: a different solid that explains the ink as well makes
     /// the choice the person's.
-    const RatedCandidate* rivalOf(const Reading& best) const {
+    const RatedCandidate* rivalOf(const GraphReading& best) const {
         if (best.candidates.empty()) return nullptr;
         const RatedCandidate& first = best.candidates.front();
-        for (const Reading& r : readings_) {
-            if (r.candidates.empty()) continue;
-            const RatedCandidate& other = r.candidates.front();
-            if (other.withinThresholds && other.cost < first.cost + clearMargin(first.candidate) &&
-                other.candidate.templateId != first.candidate.templateId) {
-                return &other;
+        const RatedCandidate* rival = nullptr;
+        for (const std::vector<GraphReading>* some : {&readings_, &offered_}) {
+            for (const GraphReading& r : *some) {
+                for (const RatedCandidate& other : r.candidates) {
+                    if (isRival(first, other) && (rival == nullptr || other.cost < rival->cost)) {
+                        rival = &other;
+                    }
+                }
             }
         }
-        return nullptr;
+        return rival;
     }
 
-    void addRival(Reading& best) const {
+    void addRival(GraphReading& best) const {
         const RatedCandidate* other = rivalOf(best);
         if (other == nullptr) return;
         best.ambiguous = true;
         best.clear = false;
-        best.candidates.push_back(*other);
+        RatedCandidate rival = *other;
+        // Of two that fit poorly the plainer one is the better guess.
+        if (rival.parameters < best.candidates.front().parameters &&
+            (fitsPoorly(best.candidates.front()) || rival.match.aspect->edgeOn)) {
+            rival.cost = std::min(rival.cost, best.candidates.front().cost - 1.0);
+            rival.withinThresholds = true;
+        }
+        best.candidates.push_back(std::move(rival));
         sortCandidates(best.candidates);
     }
 
     /// Is there ink that the best candidate explains as missing although a line was begun there?
-    static bool blockedByOpenEnd(const Reading& r) {
-        return !r.candidates.empty() && r.candidates.front().candidate.missingEdges > 0 &&
-               !r.graph.openEnds.empty();
+    static bool blockedByOpenEnd(const GraphReading& r) {
+        if (r.candidates.empty() || r.graph.openEnds.empty()) return false;
+        const RatedCandidate& best = r.candidates.front();
+        return best.candidate.missingEdges > 0 || best.outline;
     }
 
-    void addNamedReadings(Reading& r) {
-        if (r.candidates.empty()) return;
-        const RatedCandidate base = r.candidates.front();
-        if (base.entry->tmpl.readings.empty()) return;
-        for (RatedCandidate& c : namedReadings(r.graph, base, context_)) {
-            r.candidates.push_back(std::move(c));
-        }
-        sortCandidates(r.candidates);
+    /// Is all that was drawn one outline? No solid is seen so; that it could be one from some side
+    /// is no reason to make it.
+    bool isFlat() const {
+        const auto curved = [](const NoiseItem& n) { return n.kind == NoiseKind::Curve; };
+        if (std::any_of(ink_.noise.begin(), ink_.noise.end(), curved)) return false;
+        const auto open = [](const GraphReading& r) {
+            return !r.otherParts.empty() || (!r.graph.empty() && !isOneOutline(r.graph)) ||
+                   !r.graph.dangling.empty();
+        };
+        return std::none_of(drawn_.begin(), drawn_.end(), open) &&
+               std::any_of(drawn_.begin(), drawn_.end(),
+                           [](const GraphReading& r) { return isOneOutline(r.graph); });
     }
 
-    static bool looksAccidental(const RatedCandidate& c) {
-        return hidesItsTaper(*c.entry, *c.match.aspect, c.drawn);
+    /// Do all other connected drawings lie inside faces of the best candidate, as a window or a
+    /// label does?
+    bool othersAreDetail(const GraphReading& best) const {
+        if (best.otherParts.empty()) return true;
+        const InkShares ink = shares(best.candidates.front());
+        return ink.stray <= options_.thresholds.distancePx && !best.candidates.front().interrupted;
     }
 
-    Interpretation conclude(Reading& best) {
-        addNamedReadings(best);
+    Interpretation conclude(GraphReading& best) {
+        const bool nothing = best.candidates.empty();
+        const bool blocked = blockedByOpenEnd(best);
+        offerOutlines(best);
+        addNamedReadings(best.candidates, context_);
+        sortCandidates(best.candidates);
         Findings findings;
+        findings.onlyOutlines = nothing && !best.candidates.empty();
         findings.candidates = &best.candidates;
         findings.impossibleCorner = best.impossibleCorner;
         findings.otherParts = best.otherParts;
         findings.ambiguous = best.ambiguous;
-        findings.blockedByOpenEnd = blockedByOpenEnd(best);
+        findings.blockedByOpenEnd = blocked;
 
         Interpretation out;
         out.graph = best.graph;
         const double least = best.candidates.empty() ? 0.0 : best.candidates.front().cost;
+        const double distance = options_.thresholds.distancePx;
         for (const RatedCandidate& c : best.candidates) {
             if (static_cast<int>(out.candidates.size()) >= options_.maxCandidates) break;
             out.candidates.push_back(c.candidate);
-            const double off = c.candidate.residualPx / options_.thresholds.distancePx;
+            out.candidates.back().unusedStrokes = strokesBeside(ink_, c, meantPx(c), distance);
+            const double off = c.candidate.residualPx / distance;
             const double quality = std::exp(-2.0 * off * off) *
                                    std::pow(0.9, c.candidate.missingEdges + c.candidate.extraEdges);
             out.candidates.back().score =
@@ -443,16 +412,44 @@ class Pipeline {
             best.clear = false;
             findings.leavesInk = true;
         }
+        findings.twoFaces =
+            !best.candidates.empty() && best.candidates.front().match.aspect->edgeOn;
+        if (best.clear &&
+            isAbsurd(best.candidates.front(), std::hypot(context_.noisePx, context_.cornerPx),
+                     options_.camera.worldPerPixel)) {
+            best.clear = false;
+            findings.absurd = true;
+        }
+        findings.flat = isFlat();
         if (best.clear && looksAccidental(best.candidates.front())) {
             best.clear = false;
             findings.accidental = true;
         }
-        if (best.clear && best.otherParts.empty() && !findings.blockedByOpenEnd) {
+        if (findings.flat) out.candidates.clear();
+        if (best.clear && !findings.flat && othersAreDetail(best) && !findings.blockedByOpenEnd) {
             out.accepted = 0;
         } else {
             explain(out, findings, library_, options_);
         }
         return out;
+    }
+
+    /// What outlines suggest joins what the graph does, where nothing was clear enough to be taken.
+    void offerOutlines(GraphReading& best) {
+        if (best.clear) return;
+        constexpr std::size_t kMostOffered = 3;
+        std::vector<RatedCandidate> all;
+        for (const GraphReading& r : offered_) all.push_back(r.candidates.front());
+        sortCandidates(all);
+        for (std::size_t i = 0; i < std::min(kMostOffered, all.size()); ++i) {
+            const bool known = std::any_of(
+                best.candidates.begin(), best.candidates.end(), [&](const RatedCandidate& c) {
+                    return c.candidate.templateId == all[i].candidate.templateId &&
+                           c.withinThresholds && c.cost <= all[i].cost;
+                });
+            if (!known) best.candidates.push_back(all[i]);
+        }
+        sortCandidates(best.candidates);
     }
 
     const TemplateLibrary& library_;
@@ -461,7 +458,9 @@ class Pipeline {
     double spreadPx_;  ///< how far this hand's line ends miss each other, per axis
     ReadingContext context_{options_};
     double worthCost_ = std::numeric_limits<double>::infinity();
-    std::vector<Reading> readings_;
+    std::vector<GraphReading> readings_;
+    std::vector<GraphReading> drawn_;    ///< those by line ends alone, unmatched
+    std::vector<GraphReading> offered_;  ///< too doubtful to say more than the graph does
 };
 
 }  // namespace

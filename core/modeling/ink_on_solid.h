@@ -26,4 +26,12 @@ inline constexpr double kUnsteadySpread = 0.2;
 double unexplainedInk(const InkReading& ink, const Placement& placement, const GraphMatch& match,
                       const ModelView& view, double distancePx, double noisePx);
 
+/// The strokes of which less than half runs along edges of the placed template or visible ones of
+/// the model, and those that are no lines. Ascending.
+std::vector<int> strokesBeside(const InkReading& ink, const Placement& placement,
+                               const GraphMatch& match, const ModelView& view, double distancePx);
+
+/// How much of the ink lies over the solid as it is seen, 0..1.
+double shareOver(const InkReading& ink, const ModelView& view);
+
 }  // namespace ew

@@ -24,6 +24,7 @@ enum class DepthRule {
     Orthographic,  ///< the drawing is a parallel projection; equations (1) to (13) or the solver
     Snapped,  ///< as Orthographic, after the ink was moved to the nearest drawing with a solution
     Oblique,  ///< front face true, depth = k times the drawn length
+    Perspective,  ///< the drawing is what an eye at a finite distance sees
 };
 
 /// One match with one interpretation, with the solid it makes.
@@ -33,10 +34,10 @@ struct Candidate {
     std::string aspect;  ///< e.g. "explicit-3": the number counts visible faces
     Operation operation = Operation::Create;
     DepthRule depth = DepthRule::Orthographic;
-    std::string readingId;            ///< "default" or a TemplateReading's id or "oblique"
-    std::string readingName;          ///< shown to people
-    double score = 0.0;               ///< 0..1, 1 is a perfect fit
-    double residualPx = 0.0;          ///< rms distance of junctions to the solid's projection
+    std::string readingId;    ///< "default", a TemplateReading's id, "oblique", "perspective"
+    std::string readingName;  ///< shown to people
+    double score = 0.0;       ///< 0..1, 1 is a perfect fit
+    double residualPx = 0.0;  ///< rms distance of junctions to the solid's projection
     std::vector<int> junctionVertex;  ///< per junction of the graph: template vertex or -1
     int missingEdges = 0;             ///< visible template edges that were not drawn
     int extraEdges = 0;               ///< graph edges left unexplained

@@ -17,6 +17,7 @@
 #include "core/modeling/ink_on_solid.h"
 #include "core/modeling/joint_graph.h"
 #include "core/modeling/placement.h"
+#include "core/modeling/reading_params.h"
 #include "core/solid/boolean.h"
 #include "core/tlib/matcher.h"
 
@@ -63,7 +64,8 @@ class Modification {
                 continue;
             }
             views_.emplace(static_cast<int>(b), std::move(*view));
-            out_.touches = out_.touches || liesOver(views_.at(static_cast<int>(b)));
+            out_.touches = out_.touches ||
+                           shareOver(ink_, views_.at(static_cast<int>(b))) > params::kTouchingInk;
             read(views_.at(static_cast<int>(b)), static_cast<int>(b));
         }
         std::stable_sort(found_.begin(), found_.end(),
@@ -135,25 +137,6 @@ class Modification {
             // The first that fits has rivals.
             if ((i + 1) % kRivals == 0 && understood(tol::kUnderstoodMisfit)) return;
         }
-    }
-
-    /// Does most of the ink lie over the solid as it is seen? Nobody draws another body there.
-    bool liesOver(const ModelView& view) const {
-        constexpr std::size_t kMostAsked = 200;
-        std::size_t points = 0;
-        for (const Segment& s : ink_.segments) points += s.points.size();
-        const std::size_t step = 1 + points / kMostAsked;
-        std::size_t i = 0;
-        std::size_t asked = 0;
-        std::size_t over = 0;
-        for (const Segment& s : ink_.segments) {
-            for (const Vec2& p : s.points) {
-                if (i++ % step != 0) continue;
-                ++asked;
-                if (view.faceAt(p)) ++over;
-            }
-        }
-        return 2 * over > asked;
     }
 
     /// Does the best option explain all of the ink closely?
@@ -379,7 +362,7 @@ class Modification {
         r.graph = found_.front().reading.graph;
         for (std::size_t i = 0; i < found_.size(); ++i) r.candidates.push_back(candidate(i));
         const Option& best = found_.front();
-        const bool rival = found_.size() > 1 && found_[1].cost < best.cost + tol::kClearMargin;
+        const std::size_t rival = rivalOfBest();
         double ink = 0;
         for (const Segment& s : ink_.segments) ink += s.inkPx;
         // An unsteady hand's lines fit many bodies that turn freely.
@@ -387,11 +370,25 @@ class Modification {
             best.plain || noise_ < kSteadyPx || best.placement.parameters <= kFewParameters;
         const bool accidental =
             hidesItsTaper(*best.match.entry, *best.match.aspect, best.placement.points);
-        if (!rival && likely && !accidental && best.leftOutPx <= tol::kMostUnexplained * ink) {
+        // Most of what is drawn to be cut out lies over what it is cut out of.
+        const bool beside = best.placement.operation == Operation::Cut &&
+                            shareOver(ink_, views_.at(best.body)) < params::kCutInk;
+        if (rival == 0 && likely && !beside && !accidental &&
+            best.leftOutPx <= tol::kMostUnexplained * ink) {
             r.accepted = 0;
             return;
         }
         explainChoice(rival, accidental);
+    }
+
+    /// The first reading that is as likely as the best one and changes the solid otherwise; 0 where
+    /// there is none. An adjusted one is the best one's own.
+    std::size_t rivalOfBest() const {
+        for (std::size_t i = 1; i < found_.size(); ++i) {
+            if (found_[i].adjusted) continue;
+            return found_[i].cost < found_[0].cost + tol::kClearMargin ? i : 0;
+        }
+        return 0;
     }
 
     Error whyNothing() const {
@@ -403,11 +400,14 @@ class Modification {
                 "These lines and the edges that they meet show no template on the solid.", place()};
     }
 
-    void explainChoice(bool rival, bool accidental) {
+    /// \param rival  see rivalOfBest().
+    void explainChoice(std::size_t rival, bool accidental) {
         Interpretation& r = out_.interpretation;
-        std::string names = sentence(r.candidates[0]);
-        if (rival) names += " or " + sentence(r.candidates[1]);
-        for (std::size_t i = 0; i < (rival ? 2u : 1u); ++i) {
+        std::vector<std::size_t> choice{0};
+        if (rival > 0) choice.push_back(rival);
+        std::string names;
+        for (const std::size_t i : choice) {
+            names += (names.empty() ? "" : " or ") + sentence(r.candidates[i]);
             Repair use;
             use.kind = Repair::Kind::UseCandidate;
             use.candidate = static_cast<int>(i);
@@ -416,7 +416,7 @@ class Modification {
         }
         std::string message = "This could be " + names +
                               ", but only without some of the lines; choose it, or draw on.";
-        if (rival) {
+        if (rival > 0) {
             message = "This can be read as " + names + "; choose one.";
         } else if (accidental) {
             message = "Seen from here this could be " + names +
@@ -454,6 +454,7 @@ class Modification {
         c.pose = options_.bodies[at(o.body)].pose;
         c.body = o.body;
         c.result = o.result;
+        c.unusedStrokes = strokesBeside(ink_, o.placement, o.match, views_.at(o.body), distance_);
         const double off = c.residualPx / distance_;
         c.score = std::exp(-2.0 * off * off) *
                   (i == 0 ? 1.0 : std::exp(-std::max(0.0, o.cost - found_.front().cost) / 30.0));

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/base/tolerance.h"
+#include "core/modeling/ink_frames.h"
 #include "core/modeling/rectilinear_fit.h"
 #include "core/modeling/sighting.h"
 
@@ -95,10 +96,23 @@ class Laying {
         double cost = 0.0;  ///< mean squared distance and bare length, to choose between layings
     };
 
-    std::vector<Result> run(const std::vector<Vec2>& hull) {
-        const std::vector<int> outline = convexHull(aspect_.graph.points);
+    /// \param hull    corners of the convex hull of the ink.
+    /// \param frames  see inkFrames().
+    std::vector<Result> run(const std::vector<Vec2>& hull, const std::vector<InkFrame>& frames) {
         std::vector<Result> found;
-        if (outline.size() < 3 || hull.size() < outline.size()) return found;
+        layOnCorners(hull, found);
+        layInFrames(frames, found);
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Result& a, const Result& b) { return a.cost < b.cost; });
+        if (found.size() > kMostAnAspect) found.resize(kMostAnAspect);
+        return found;
+    }
+
+  private:
+    /// Outline vertices on the corners of the ink, in turn.
+    void layOnCorners(const std::vector<Vec2>& hull, std::vector<Result>& found) {
+        const std::vector<int> outline = convexHull(aspect_.graph.points);
+        if (outline.size() < 3 || hull.size() < outline.size()) return;
         std::vector<Vec2> corners = hull;
         simplify(corners, outline.size());
         std::set<std::vector<int>> known;
@@ -111,16 +125,98 @@ class Laying {
                     onCorner[i] = outline[k];
                 }
                 if (!known.insert(orbit(onCorner)).second) continue;
-                if (auto r = lay(onCorner, corners, mirrored)) found.push_back(std::move(*r));
+                GraphMatch match = blankMatch(mirrored);
+                if (!start(onCorner, corners, match)) continue;
+                if (auto r = lay(std::move(match), spanOf(corners))) found.push_back(std::move(*r));
             }
         }
-        std::stable_sort(found.begin(), found.end(),
-                         [](const Result& a, const Result& b) { return a.cost < b.cost; });
-        if (found.size() > kMostAnAspect) found.resize(kMostAnAspect);
-        return found;
     }
 
-  private:
+    /// A rectilinear template fills the frame, its axes along the frame's in every way.
+    void layInFrames(const std::vector<InkFrame>& frames, std::vector<Result>& found) {
+        if (!entry_->analysis.rectilinear) return;
+        const std::vector<int> outline = convexHull(aspect_.graph.points);
+        const std::set<int> outer(outline.begin(), outline.end());
+        std::set<std::vector<int>> known;
+        for (const InkFrame& frame : frames) {
+            std::array<std::size_t, 3> order{0, 1, 2};
+            do {
+                for (unsigned signs = 0; signs < 8; ++signs) {
+                    fill(frame, order, signs);
+                    const std::vector<int> hull = convexHull(place_);
+                    if (!aspect_.edgeOn && std::set<int>(hull.begin(), hull.end()) != outer)
+                        continue;
+                    if (!known.insert(picture()).second) continue;
+                    const bool mirrored =
+                        turnOf(outline, aspect_.graph.points) * turnOf(outline, place_) < 0.0;
+                    if (auto r = lay(blankMatch(mirrored), frame.sizePx)) {
+                        found.push_back(std::move(*r));
+                    }
+                }
+            } while (std::next_permutation(order.begin(), order.end()));
+        }
+    }
+
+    void fill(const InkFrame& frame, const std::array<std::size_t, 3>& order, unsigned signs) {
+        const RectilinearStructure& r = *entry_->analysis.rectilinear;
+        place_.assign(aspect_.vertex.size(), frame.center);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] =
+                std::minmax_element(r.reference[axis].begin(), r.reference[axis].end());
+            for (std::size_t v = 0; v < place_.size(); ++v) {
+                const int plane = r.planes[axis][at(aspect_.vertex[v])];
+                const double share = (r.reference[axis][at(plane)] - *low) / (*high - *low) - 0.5;
+                const double sense = (signs >> axis & 1U) != 0U ? -1.0 : 1.0;
+                place_[v] += sense * share * frame.axes[order[axis]];
+            }
+        }
+    }
+
+    /// What place_ draws, whatever its vertices are called.
+    std::vector<int> picture() const {
+        std::vector<std::array<int, 4>> edges;
+        for (const auto& e : aspect_.graph.edges) {
+            std::array<Vec2, 2> p{place_[at(e[0])], place_[at(e[1])]};
+            if (std::make_pair(p[1].x(), p[1].y()) < std::make_pair(p[0].x(), p[0].y())) {
+                std::swap(p[0], p[1]);
+            }
+            std::array<int, 4> key{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                key[i] = static_cast<int>(std::lround(p[i / 2](static_cast<Eigen::Index>(i % 2))));
+            }
+            edges.push_back(key);
+        }
+        std::sort(edges.begin(), edges.end());
+        std::vector<int> out;
+        for (const auto& e : edges) out.insert(out.end(), e.begin(), e.end());
+        return out;
+    }
+
+    /// Twice the signed area of a polygon of some of these points.
+    static double turnOf(const std::vector<int>& corners, const std::vector<Vec2>& points) {
+        double area = 0;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            area += cross2(points[at(corners[i])], points[at(corners[(i + 1) % corners.size()])]);
+        }
+        return area;
+    }
+
+    GraphMatch blankMatch(bool mirrored) const {
+        GraphMatch m;
+        m.entry = entry_;
+        m.aspect = std::shared_ptr<const Aspect>(entry_, &aspect_);
+        m.mirrored = mirrored;
+        m.vertex = aspect_.vertex;
+        m.edge = aspect_.edge;
+        return m;
+    }
+
+    static double spanOf(const std::vector<Vec2>& points) {
+        Eigen::AlignedBox2d box;
+        for (const Vec2& p : points) box.extend(p);
+        return box.diagonal().norm();
+    }
+
     /// The least image, under the template's symmetries, of the template vertices on the corners
     /// and inside.
     std::vector<int> orbit(std::vector<int> onCorner) const {
@@ -139,20 +235,18 @@ class Laying {
         return best;
     }
 
-    std::optional<Result> lay(const std::vector<int>& onCorner, const std::vector<Vec2>& corners,
-                              bool mirrored) {
+    /// From a first guess in place_.
+    std::optional<Result> lay(GraphMatch match, double size) {
         Result out;
+        out.reading.match = std::move(match);
         GraphMatch& m = out.reading.match;
-        m.entry = entry_;
-        m.aspect = std::shared_ptr<const Aspect>(entry_, &aspect_);
-        m.mirrored = mirrored;
-        m.vertex = aspect_.vertex;
-        m.edge = aspect_.edge;
-        if (!start(onCorner, corners, m)) return std::nullopt;
         for (int round = 0; round < kRounds; ++round) {
+            // The first guess may be far off; what is near it tells a better one.
+            const double far = kFirstReach * size * (kRounds - 1 - round) / (kRounds - 1);
+            reachPx_ = std::max(options_.distancePx, far);
             if (!assign()) return std::nullopt;
             out.reading.graph = fitted(out.reading.barePx);
-            if (mostlyBare_) return std::nullopt;
+            if (mostlyBare_ && round + 1 == kRounds) return std::nullopt;
             settleJunctions(out.reading.graph, options_.distancePx);
             for (std::size_t v = 0; v < place_.size(); ++v) {
                 place_[v] = out.reading.graph.junctions[v].position;
@@ -162,6 +256,7 @@ class Laying {
         for (const Vec2& p : place_) {
             if (!p.allFinite()) return std::nullopt;
         }
+        out.reading.widestGapPx = widestGapPx_;
         measureMatch(m, out.reading.graph, options_.excusePx);
         out.cost = misses_ + tol::kExtraEdgeCost * out.reading.barePx / options_.distancePx;
         return out;
@@ -237,15 +332,14 @@ class Laying {
         misses_ = 0;
         for (const InkPoint& p : ink_) {
             std::size_t best = n;
-            double least = options_.distancePx;
+            double least = reachPx_;
             for (std::size_t e = 0; e < n; ++e) {
                 const Vec2& a = place_[at(aspect_.graph.edges[e][0])];
                 const Vec2& b = place_[at(aspect_.graph.edges[e][1])];
                 const double sine = std::abs(cross2(p.direction, (b - a).normalized()));
                 if (sine > kMostTurnSine) continue;
                 // Where two edges are as near, direction decides.
-                const double d =
-                    distanceToSegment(p.position, a, b) + kTurnPx * sine * options_.distancePx;
+                const double d = distanceToSegment(p.position, a, b) + kTurnPx * sine * reachPx_;
                 if (d < least) {
                     least = d;
                     best = e;
@@ -263,6 +357,7 @@ class Laying {
     EdgeGraph fitted(double& barePx) {
         EdgeGraph graph;
         barePx = 0;
+        widestGapPx_ = 0;
         mostlyBare_ = false;
         for (const Vec2& p : place_) graph.junctions.push_back({p});
         for (std::size_t e = 0; e < taken_.size(); ++e) {
@@ -284,7 +379,8 @@ class Laying {
             line.a = *first;
             line.b = *last;
             line.inkPx = line.length();
-            const double open = bare(line.points, a, b);
+            const auto [open, gap] = bare(line.points, a, b);
+            widestGapPx_ = std::max(widestGapPx_, gap);
             barePx += std::max(0.0, open - options_.distancePx);
             mostlyBare_ = mostlyBare_ || open > kMostBare * (b - a).norm();
             GraphEdge edge = fitEdge(a, b, {{0, 0.0, line.length()}}, {line});
@@ -310,8 +406,8 @@ class Laying {
         return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, ink.size())));
     }
 
-    /// Length of an edge that no point of its ink is near.
-    static double bare(const std::vector<Vec2>& ink, const Vec2& a, const Vec2& b) {
+    /// Length of an edge that no point of its ink is near, and of the longest stretch of that.
+    static std::array<double, 2> bare(const std::vector<Vec2>& ink, const Vec2& a, const Vec2& b) {
         constexpr double kCellPx = 4.0;
         const double len = (b - a).norm();
         const auto cells = static_cast<std::size_t>(std::ceil(len / kCellPx));
@@ -324,13 +420,27 @@ class Laying {
                 }
             }
         }
-        return len / static_cast<double>(std::max<std::size_t>(1, cells)) *
-               static_cast<double>(std::count(covered.begin(), covered.end(), false));
+        const double cell = len / static_cast<double>(std::max<std::size_t>(1, cells));
+        const auto open = static_cast<double>(std::count(covered.begin(), covered.end(), false));
+        return {cell * open, widestGap(ink, a, b)};
+    }
+
+    /// The longest stretch of a line without ink, its ends included.
+    static double widestGap(const std::vector<Vec2>& ink, const Vec2& a, const Vec2& b) {
+        const double len = (b - a).norm();
+        const Vec2 u = (b - a) / std::max(len, 1e-9);
+        std::vector<double> at{0.0, len};
+        for (const Vec2& p : ink) at.push_back(std::clamp((p - a).dot(u), 0.0, len));
+        std::sort(at.begin(), at.end());
+        double widest = 0;
+        for (std::size_t i = 1; i < at.size(); ++i) widest = std::max(widest, at[i] - at[i - 1]);
+        return widest;
     }
 
     static constexpr std::size_t kMostAnAspect = 2;
-    static constexpr int kRounds = 4;
-    static constexpr double kMostBare = 0.6;  ///< of an edge
+    static constexpr int kRounds = 6;
+    static constexpr double kFirstReach = 0.1;  ///< of the drawing's size
+    static constexpr double kMostBare = 0.6;    ///< of an edge
     static constexpr double kMostTurnSine = 0.6;
     static constexpr double kTurnPx =
         0.5;  ///< a right angle counts like this [distance thresholds]
@@ -342,6 +452,8 @@ class Laying {
     std::vector<Vec2> place_;                          ///< per vertex of the aspect
     std::vector<std::vector<const InkPoint*>> taken_;  ///< per edge of the aspect
     double misses_ = 0.0;
+    double reachPx_ = 0.0;  ///< ink is looked for so far from an edge
+    double widestGapPx_ = 0.0;
     bool mostlyBare_ = false;  ///< some edge has hardly any ink
 };
 
@@ -358,12 +470,14 @@ std::vector<OutlineReading> readingsByOutline(const InkReading& ink,
     for (const InkPoint& p : points) places.push_back(p.position);
     std::vector<Vec2> hull;
     for (const int i : convexHull(places)) hull.push_back(places[at(i)]);
+    const std::vector<InkFrame> frames =
+        options.frames ? inkFrames(ink, hull) : std::vector<InkFrame>{};
     for (const Aspect& aspect : entry->aspects) {
         if (aspect.kind != AspectKind::Explicit ||
             std::find(aspect.vertex.begin(), aspect.vertex.end(), -1) != aspect.vertex.end()) {
             continue;
         }
-        for (auto& r : Laying(points, entry, aspect, options).run(hull)) {
+        for (auto& r : Laying(points, entry, aspect, options).run(hull, frames)) {
             out.push_back(std::move(r.reading));
         }
     }

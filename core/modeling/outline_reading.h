@@ -15,11 +15,13 @@ struct OutlineReading {
     GraphMatch match;  ///< which vertex and edge is which; parallelDeg is measured
     double barePx =
         0.0;  ///< length of edges along which there is no ink, but for gaps at their ends
+    double widestGapPx = 0.0;  ///< longest stretch of an edge without ink
 };
 
 struct OutlineOptions {
     double distancePx = 14.0;  ///< the distance threshold [px], > 0
     double excusePx = 0.0;  ///< GraphMatch::parallelDeg leaves out what this does to an edge [px]
+    bool frames = true;     ///< also where the ink's own directions put a rectilinear template
 };
 
 /// Lays the aspects of a convex template over the ink, outline on outline, and lets every edge take

@@ -2,6 +2,7 @@
 #include "core/modeling/reading_price.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/base/tolerance.h"
 
@@ -18,7 +19,16 @@ double strayPrice(const EdgeGraph& graph, double distancePx) {
 }
 
 double bentPrice(const EdgeGraph& graph, double wobblePx) {
-    const double usual = std::max(wobblePx, tol::kWobbleLeastPx);
+    // A hand that bows one line bows the others too; what is bent alone is two edges.
+    std::vector<double> all;
+    for (const GraphEdge& e : graph.edges) all.push_back(e.wobblePx);
+    double common = 0;
+    if (!all.empty()) {
+        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+        std::nth_element(all.begin(), middle, all.end());
+        common = *middle;
+    }
+    const double usual = std::max({wobblePx, common, tol::kWobbleLeastPx});
     double price = 0;
     for (const GraphEdge& e : graph.edges) {
         const double excess = e.wobblePx * e.wobblePx / (usual * usual) - 4.0;

@@ -10,8 +10,8 @@ namespace ew {
 /// Price of ink that a graph drops: a stray line is a line too many, a short one less so.
 double strayPrice(const EdgeGraph& graph, double distancePx);
 
-/// Price of ink that strays from its edge more than this hand wobbles: two edges taken for one,
-/// most likely.
+/// Price of ink that strays from its edge more than this hand wobbles, or than most edges of the
+/// graph do: two edges taken for one, most likely.
 double bentPrice(const EdgeGraph& graph, double wobblePx);
 
 }  // namespace ew

@@ -246,4 +246,30 @@ std::vector<Aspect> explicitAspects(const Template& tmpl, const TemplateAnalysis
     return aspects;
 }
 
+std::vector<Aspect> edgeOnAspects(const Template& tmpl, const TemplateAnalysis& analysis) {
+    std::vector<Aspect> aspects;
+    if (!analysis.convex) return aspects;
+    for (const AnalysedEdge& edge : analysis.edges) {
+        const Vec3 direction =
+            -(analysis.faceNormals[at(edge.faces[0])] + analysis.faceNormals[at(edge.faces[1])])
+                 .normalized();
+        AspectView view = makeView(tmpl.shape, analysis, direction);
+        Aspect aspect;
+        for (std::size_t f = 0; f < view.facing.size(); ++f) {
+            if (std::abs(view.facing[f]) < tol::kAccidentalView) {
+                aspect.edgeOn = true;
+                view.facing[f] = 1.0;
+            }
+            if (view.facing[f] < 0) aspect.visibleFaces.push_back(static_cast<int>(f));
+        }
+        if (!aspect.edgeOn || aspect.visibleFaces.size() != 2) continue;
+        if (!Occlusion(tmpl.shape, analysis, view).run(aspect)) continue;
+        aspect.directions = {direction};
+        aspect.name = "edge-on-2";
+        indexAspect(aspect);
+        if (!aspect.form.code.empty()) aspects.push_back(std::move(aspect));
+    }
+    return aspects;
+}
+
 }  // namespace ew

@@ -30,6 +30,8 @@ struct Aspect {
     std::vector<int> visibleFaces;  ///< ascending
     std::vector<Vec3>
         directions;           ///< template frame, unit, from the eye into the scene; well apart
+    bool edgeOn = false;      ///< some face is seen as a line: nobody sees it so, but people draw
+                              ///< two faces of a body like that
     CanonicalForm form;       ///< of graph, with one walk only
     std::vector<bool> outer;  ///< per graph vertex: on the outline
 };
@@ -44,6 +46,10 @@ void indexAspect(Aspect& aspect);
 /// from them. Cost: a few ms for a template of 12 vertices; convex templates need no occlusion
 /// test.
 std::vector<Aspect> explicitAspects(const Template& tmpl, const TemplateAnalysis& analysis);
+
+/// The aspects of a convex template that show just two faces because all others are hidden or seen
+/// edge-on ("edge-on-2"): front and top of a box, say.
+std::vector<Aspect> edgeOnAspects(const Template& tmpl, const TemplateAnalysis& analysis);
 
 /// Derives the implicit aspects (paper 4.2.2) that a cut shows: for every connected set of up to
 /// four faces that can be seen together, their outlines alone (two faces or more, or the inside

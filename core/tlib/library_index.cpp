@@ -48,7 +48,7 @@ void addEntry(LibraryIndex& index, std::shared_ptr<const LibraryEntry> entry) {
     for (std::size_t a = 0; a < entry->aspects.size(); ++a) {
         const Aspect& aspect = entry->aspects[a];
         index.byCode[aspect.form.code].push_back({id, static_cast<int>(a), -1});
-        if (aspect.kind != AspectKind::Explicit) continue;
+        if (aspect.kind != AspectKind::Explicit || aspect.edgeOn) continue;
         for (std::size_t e = 0; e < aspect.edge.size(); ++e) {
             const Aspect less = withoutEdge(aspect, static_cast<int>(e));
             if (less.graph.edges.size() < 5) continue;
@@ -134,8 +134,9 @@ void addToIndex(LibraryIndex& index, Template tmpl) {
     entry->tmpl = std::move(tmpl);
     entry->analysis = analyse(entry->tmpl);
     entry->symmetries = symmetries(entry->tmpl, entry->analysis);
-    entry->aspects = uniteSymmetric(explicitAspects(entry->tmpl, entry->analysis), entry->analysis,
-                                    entry->symmetries);
+    std::vector<Aspect> aspects = explicitAspects(entry->tmpl, entry->analysis);
+    for (Aspect& a : edgeOnAspects(entry->tmpl, entry->analysis)) aspects.push_back(std::move(a));
+    entry->aspects = uniteSymmetric(std::move(aspects), entry->analysis, entry->symmetries);
     index.onSolid = std::make_shared<LazyIndex>();
     addEntry(index, std::move(entry));
 }
@@ -147,6 +148,7 @@ const LibraryIndex& onSolidIndex(const LibraryIndex& index) {
     std::call_once(lazy.once, [&] {
         for (const auto& known : index.entries) {
             auto entry = std::make_shared<LibraryEntry>(*known);
+            std::erase_if(entry->aspects, [](const Aspect& a) { return a.edgeOn; });
             std::vector<Aspect> mouths;
             std::vector<Aspect> cavities;
             for (Aspect& a : implicitAspects(entry->tmpl, entry->analysis)) {

@@ -117,7 +117,7 @@ std::vector<BadInk> badInk() {
         {"a crowd of lines", crowd, {Errc::TooManyStrokes}},
         {"as far out as ink may be",
          {{Vec2(-1e6, -1e6), Vec2(1e6, -1e6), Vec2(1e6, 1e6), Vec2(-1e6, -1e6)}},
-         {Errc::NoMatch}},
+         {Errc::FlatDrawing}},
     };
 }
 

@@ -23,10 +23,13 @@ class ShippedAspects : public ::testing::Test {
     const LibraryEntry& entry(const std::string& id) const {
         return *library_.index().entries[static_cast<std::size_t>(library_.find(id))];
     }
-    /// (vertices, edges) of each aspect.
-    std::multiset<std::pair<std::size_t, std::size_t>> sizes(const std::string& id) const {
+    /// (vertices, edges) of each aspect in general position, or of those seen edge-on.
+    std::multiset<std::pair<std::size_t, std::size_t>> sizes(const std::string& id,
+                                                             bool edgeOn = false) const {
         std::multiset<std::pair<std::size_t, std::size_t>> s;
-        for (const Aspect& a : entry(id).aspects) s.emplace(a.vertex.size(), a.edge.size());
+        for (const Aspect& a : entry(id).aspects) {
+            if (a.edgeOn == edgeOn) s.emplace(a.vertex.size(), a.edge.size());
+        }
         return s;
     }
     TemplateLibrary library_;
@@ -36,6 +39,17 @@ TEST_F(ShippedAspects, ABoxShowsThreeFacesFromEverywhere) {
     EXPECT_EQ(entry("cube").symmetries.size(), 48u);
     EXPECT_EQ(sizes("cube"), (std::multiset<std::pair<std::size_t, std::size_t>>{{7, 9}}));
     EXPECT_EQ(entry("cube").aspects[0].name, "explicit-3");
+}
+
+// Two faces that share an edge: what people draw of a box when they draw no more.
+TEST_F(ShippedAspects, ABoxMayShowTwoFacesEdgeOn) {
+    EXPECT_EQ(sizes("cube", true), (std::multiset<std::pair<std::size_t, std::size_t>>{{6, 7}}));
+    EXPECT_TRUE(sizes("wedge-frustum", true).empty());
+    EXPECT_TRUE(sizes("triangular-pyramid", true).empty());
+    // On a solid nothing is seen edge-on by chance.
+    for (const auto& e : onSolidIndex(library_.index()).entries) {
+        for (const Aspect& a : e->aspects) EXPECT_FALSE(a.edgeOn) << e->tmpl.id << " " << a.name;
+    }
 }
 
 TEST_F(ShippedAspects, APrismShowsItsTriangleWithOneOrTwoSides) {
