@@ -45,12 +45,14 @@ void prepareApplication() {
     format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-    QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
 }
 
 void nameApplication() {
     initialiseResources();
+    // Here and not before: the xcb plugin turns it on when it starts. A stroke would have one
+    // sample a frame, and no corners where frames are slow.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+    QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QCoreApplication::setApplicationName(QStringLiteral("Edgewright"));
     QCoreApplication::setOrganizationName(QStringLiteral("Edgewright"));
     QCoreApplication::setApplicationVersion(QStringLiteral(EDGEWRIGHT_VERSION));

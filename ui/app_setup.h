@@ -7,11 +7,12 @@
 
 namespace ew {
 
-/// What must be set before the QApplication is made: OpenGL surface format, context sharing, pen
-/// samples one by one, the xcb platform where there is an X display and none was asked for.
+/// What must be set before the QApplication is made: OpenGL surface format, context sharing, the
+/// xcb platform where there is an X display and none was asked for.
 void prepareApplication();
 
-/// What must be set right after: name, version, icon, resources of the library.
+/// What must be set right after: samples of mouse, pen and touch one by one; name, version, icon,
+/// resources of the library.
 void nameApplication();
 
 /// Loads the texts of a language, before the first window is made.
