@@ -16,6 +16,7 @@
 #include "ui/live_reading.h"
 #include "ui/main_window.h"
 #include "ui/panels/message_bar.h"
+#include "ui/session_end.h"
 #include "ui/theme/appearance.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -118,6 +119,7 @@ int main(int argc, char** argv) {
             QCoreApplication::quit();
         });
     }
+    new ew::SessionEnd(window, [&window] { return window.mayClose(); });
     window.show();
     if (!arguments->file.isEmpty()) window.files().openPath(arguments->file);
     return QApplication::exec();
