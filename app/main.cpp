@@ -18,6 +18,7 @@
 #include "ui/live_reading.h"
 #include "ui/main_window.h"
 #include "ui/panels/message_bar.h"
+#include "ui/session_end.h"
 #include "ui/theme/appearance.h"
 #include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
@@ -147,6 +148,7 @@ int main(int argc, char** argv) {
                              QCoreApplication::exit(status);
                          });
     }
+    new ew::SessionEnd(window, [&window] { return window.mayClose(); });
     window.show();
     if (!arguments->file.isEmpty() && !window.files().openPath(arguments->file)) {
         // A person sees it in the window; for a picture that nobody is there for, it is said here.

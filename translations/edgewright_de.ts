@@ -40,20 +40,8 @@
         <translation>Linien kreuzen sich an %1 ohne Ecke; nur sichtbare Kanten zeichnen oder eine Linie verwerfen.</translation>
     </message>
     <message>
-        <source>This could be a %1, but an edge is %2 degrees off its parallels (the angle threshold is %3).</source>
-        <translation>Lesbar als %1, aber eine Kante weicht um %2 Grad von ihren Parallelen ab (die Winkelschwelle ist %3).</translation>
-    </message>
-    <message>
         <source>The lines fit no %1 closely: they are %2 off on average.</source>
         <translation>Als %1 passen die Linien schlecht: Sie liegen im Mittel %2 daneben.</translation>
-    </message>
-    <message>
-        <source>This could be a %1 or %2, but only without some of the lines; choose it, or draw on.</source>
-        <translation>Lesbar als %1 oder %2, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
-    </message>
-    <message>
-        <source>This could be a %1, but only without some of the lines; choose it, or draw on.</source>
-        <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
     </message>
     <message>
         <source>This could be %1, but only without some of the lines; choose it, or draw on.</source>
@@ -64,16 +52,12 @@
         <translation>Das ist ein flacher Umriss; ein Körper braucht auch die Linien darin, an denen seine Flächen sich treffen.</translation>
     </message>
     <message>
-        <source>Just two faces are drawn here; this could be a %1. Choose it, or draw the third face.</source>
-        <translation>Hier sind nur zwei Flächen gezeichnet; das könnte ein %1 sein. Wählen oder die dritte Fläche zeichnen.</translation>
+        <source>Just two faces are drawn here; this could be %1. Choose it, or draw the third face.</source>
+        <translation>Hier sind nur zwei Flächen gezeichnet; das könnte %1 sein. Wählen oder die dritte Fläche zeichnen.</translation>
     </message>
     <message>
-        <source>As it is drawn this %1 would be far deeper than it is wide, or hardly thicker than a line; choose it, or draw it from another side.</source>
+        <source>As it is drawn %1 would be far deeper than it is wide, or hardly thicker than a line; choose it, or draw it from another side.</source>
         <translation>So gezeichnet wäre %1 viel tiefer als breit oder kaum dicker als eine Linie; wählen oder von einer anderen Seite zeichnen.</translation>
-    </message>
-    <message>
-        <source>Seen from here a %1 looks like simpler solids; choose it, or turn the view and draw again.</source>
-        <translation>Von hier aus sieht %1 wie einfachere Körper aus; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
     </message>
     <message>
         <source>Seen from here this could be %1, or something simpler; choose it, or turn the view and draw again.</source>
@@ -372,24 +356,12 @@
         <translation>Zeichnung %1 behalten</translation>
     </message>
     <message>
-        <source>Take it as a %1 all the same</source>
-        <translation>Trotzdem nehmen: %1</translation>
-    </message>
-    <message>
         <source>Take the %1</source>
         <translation>Nehmen: %1</translation>
     </message>
     <message>
         <source>Take: %1</source>
         <translation>Nehmen: %1</translation>
-    </message>
-    <message>
-        <source>adding a %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>cutting a %1</source>
-        <translation>%1 abziehen</translation>
     </message>
     <message>
         <source>belongs to no region</source>
@@ -691,6 +663,54 @@
         <source>stays sharp</source>
         <translation>bleibt scharf</translation>
     </message>
+    <message>
+        <source>This could be %1, but an edge is %2 degrees off its parallels (the angle threshold is %3).</source>
+        <translation>Lesbar als %1, aber eine Kante weicht um %2 Grad von ihren Parallelen ab (die Winkelschwelle ist %3).</translation>
+    </message>
+    <message>
+        <source>Seen from here %1 looks like simpler solids; choose it, or turn the view and draw again.</source>
+        <translation>Von hier aus sieht %1 wie einfachere Körper aus; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Take it as %1 all the same</source>
+        <translation>Trotzdem nehmen: %1</translation>
+    </message>
+    <message>
+        <source>adding %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>cutting %1</source>
+        <translation>%1 abziehen</translation>
+    </message>
+    <message>
+        <source>a %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>an %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>an L-prism</source>
+        <translation>L-Prisma</translation>
+    </message>
+    <message>
+        <source>a prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <source>a pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>a frustum</source>
+        <translation>Pyramidenstumpf</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -775,8 +795,8 @@
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Ctrl+Z: the newest stroke first, then the newest step</source>
-        <translation>Strg+Z: zuerst der neueste Strich, dann der neueste Schritt</translation>
+        <source>Ctrl+Z: strokes and steps in the order in which they were made, and the stroke under way; Ctrl+Shift+Z goes forward</source>
+        <translation>Strg+Z: Striche und Schritte in der Reihenfolge, in der sie gemacht wurden, und der Strich, der gerade gezeichnet wird; Strg+Umschalt+Z geht wieder vor</translation>
     </message>
     <message>
         <source>Quick help</source>
@@ -1081,6 +1101,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Every stroke goes straight onto the surface</source>
         <translation>Jeder Strich kommt gleich auf die Oberfläche</translation>
     </message>
+    <message>
+        <source>&amp;Redo stroke</source>
+        <translation>Strich &amp;wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>ew::FileActions</name>
@@ -1310,6 +1334,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>%n Knoten</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Every line is there, %n end(s) open</source>
+        <translation>
+            <numerusform>Alle Linien da, %n Ende offen</numerusform>
+            <numerusform>Alle Linien da, %n Enden offen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As many lines, which meet in another way</source>
+        <translation>Gleich viele Linien, die anders zusammentreffen</translation>
+    </message>
 </context>
 <context>
     <name>ew::GraphView</name>
@@ -1430,10 +1465,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Draw the edges that you would see of a box, a prism or a pyramid, in any order and with any number of strokes.</source>
         <translation>Die sichtbaren Kanten eines Quaders, eines Prismas oder einer Pyramide zeichnen, in beliebiger Reihenfolge und mit beliebig vielen Strichen.</translation>
     </message>
-    <message>
-        <source>%1 made.</source>
-        <translation>%1 erzeugt.</translation>
-    </message>
     <message numerus="yes">
         <source>%n other reading(s): keys 1 to 9.</source>
         <translation>
@@ -1476,6 +1507,25 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Keep drawing.</source>
         <translation>Weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>Added %1.</source>
+        <translation>%1 hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Cut %1.</source>
+        <translation>%1 abgezogen.</translation>
+    </message>
+    <message>
+        <source>Made %1.</source>
+        <translation>%1 erzeugt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) that it does not use stay.</source>
+        <translation>
+            <numerusform>%n Strich, der nicht dazugehört, bleibt.</numerusform>
+            <numerusform>%n Striche, die nicht dazugehören, bleiben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,13 @@
             <numerusform>%n junctions</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Every line is there, %n end(s) open</source>
+        <translation>
+            <numerusform>Every line is there, %n end open</numerusform>
+            <numerusform>Every line is there, %n ends open</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ew::MessageBar</name>
@@ -56,6 +63,13 @@
         <translation>
             <numerusform>%n other reading: keys 1 to 9.</numerusform>
             <numerusform>%n other readings: keys 1 to 9.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) that it does not use stay.</source>
+        <translation>
+            <numerusform>%n stroke that it does not use stays.</numerusform>
+            <numerusform>%n strokes that it does not use stay.</numerusform>
         </translation>
     </message>
 </context>

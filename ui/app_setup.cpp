@@ -66,8 +66,6 @@ void prepareApplication() {
     format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-    QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
 }
 
 DisplayGuard::DisplayGuard(const char* program) {
@@ -92,6 +90,10 @@ void nameProgram() {
 
 void nameApplication() {
     initialiseResources();
+    // Here and not before: the xcb plugin turns it on when it starts. A stroke would have one
+    // sample a frame, and no corners where frames are slow.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+    QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     nameProgram();
     QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/edgewright.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("edgewright"));

@@ -7,8 +7,8 @@
 
 namespace ew {
 
-/// What must be set before the QApplication is made: OpenGL surface format, context sharing, pen
-/// samples one by one, the xcb platform where there is an X display and none was asked for.
+/// What must be set before the QApplication is made: OpenGL surface format, context sharing, the
+/// xcb platform where there is an X display and none was asked for.
 void prepareApplication();
 
 /// Without a display Qt ends a program by aborting it while its QApplication is made. As long as
@@ -29,7 +29,8 @@ bool asksForWords(int argc, char** argv);
 /// Name and version, right after the application was made, of whatever kind it is.
 void nameProgram();
 
-/// The same for one with windows, also icon and resources of the library.
+/// The same for one with windows: also samples of mouse, pen and touch one by one, icon and
+/// resources of the library.
 void nameApplication();
 
 /// Loads the texts of a language, before the first window is made.

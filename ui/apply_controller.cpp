@@ -6,14 +6,16 @@
 namespace ew {
 
 namespace {
-// A panel is in use: look again after this [ms].
-constexpr int kLookAgainMs = 300;
+// How often a wait looks whether a panel is in use [ms].
+constexpr int kLookMs = 100;
 }  // namespace
 
 ApplyController::ApplyController(Document& document, LiveReading& reading, QObject* parent)
     : QObject(parent), document_(document), reading_(reading) {
-    wait_.setSingleShot(true);
-    connect(&wait_, &QTimer::timeout, this, &ApplyController::onWaitOver);
+    countdown_.setSingleShot(true);
+    look_.setInterval(kLookMs);
+    connect(&countdown_, &QTimer::timeout, this, &ApplyController::onCountdownOver);
+    connect(&look_, &QTimer::timeout, this, &ApplyController::look);
     connect(&reading_, &LiveReading::changed, this, &ApplyController::onReadingChanged);
     connect(&document_, &Document::changed, this, [this](DocumentChange what) {
         // Undo, clearing and the like are thoughts, not strokes: only the pen starts a wait.
@@ -39,8 +41,13 @@ void ApplyController::apply() {
     if (document_.pendingStrokes().empty() && showsApplied()) return;
     reading_.refreshNow();
     reading_.settleNow();
+    take(reading_.current());
+}
+
+void ApplyController::take(int candidate) {
+    hold();
     ApplyRequest request;
-    if (reading_.current() >= 0) request.candidate = reading_.current();
+    if (candidate >= 0) request.candidate = candidate;
     const auto outcome = document_.apply(request);
     if (outcome) {
         emit applied(*outcome);
@@ -91,15 +98,31 @@ void ApplyController::inkDone() {
 void ApplyController::beginWait() {
     awaitsReading_ = false;
     if (!clear()) return;
-    wait_.start(kWaitMs);
-    emit waitingChanged(true);
+    look_.start();
+    look();
+}
+
+void ApplyController::look() {
+    const bool inUse = busy_ && busy_();
+    if (inUse) {
+        stopCountdown();
+    } else if (!countdown_.isActive()) {
+        // From the start again: nothing happens right after a panel was left.
+        countdown_.start(kWaitMs);
+        emit countdownChanged(true);
+    }
+}
+
+void ApplyController::stopCountdown() {
+    if (!countdown_.isActive()) return;
+    countdown_.stop();
+    emit countdownChanged(false);
 }
 
 void ApplyController::hold() {
     awaitsReading_ = false;
-    if (!wait_.isActive()) return;
-    wait_.stop();
-    emit waitingChanged(false);
+    look_.stop();
+    stopCountdown();
 }
 
 bool ApplyController::clear() const {
@@ -109,16 +132,14 @@ bool ApplyController::clear() const {
 
 void ApplyController::onReadingChanged() {
     if (awaitsReading_ && reading_.upToDate()) beginWait();
-    if (wait_.isActive() && !clear()) hold();
+    if (waiting() && !clear()) hold();
     emit changed();
 }
 
-void ApplyController::onWaitOver() {
-    if (busy_ && busy_()) {
-        wait_.start(kLookAgainMs);
-        return;
-    }
-    emit waitingChanged(false);
+void ApplyController::onCountdownOver() {
+    emit countdownChanged(false);
+    if (busy_ && busy_()) return;  // look() counts anew when the panel is left
+    look_.stop();
     if (clear()) apply();
 }
 

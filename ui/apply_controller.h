@@ -30,6 +30,8 @@ class ApplyController : public QObject {
 
     /// Enter: the chosen candidate, else the best. Also says why where there is none.
     void apply();
+    /// Makes a solid of a candidate of the ink's reading; -1: of the accepted one.
+    void take(int candidate);
     /// Chooses a candidate of shown(); of an applied reading, the solid is replaced at once.
     void pick(int candidate);
     /// k of the oblique reading; an applied oblique solid follows when `done`.
@@ -43,7 +45,10 @@ class ApplyController : public QObject {
     void inkDone();
     /// Stops the wait.
     void hold();
-    bool waiting() const { return wait_.isActive(); }
+    /// Between inkDone() and applying by itself, also while a panel in use holds it.
+    bool waiting() const { return look_.isActive(); }
+    /// The wait runs out unless something happens: false while it is held.
+    bool countingDown() const { return countdown_.isActive(); }
 
     /// From pen-up to applying by itself [ms].
     static constexpr int kWaitMs = 900;
@@ -52,20 +57,23 @@ class ApplyController : public QObject {
     /// What shown() or shownCurrent() says.
     void changed();
     void automaticChanged(bool on);
-    /// A wait began or ended.
-    void waitingChanged(bool waiting);
+    /// countingDown().
+    void countdownChanged(bool running);
     void applied(const ew::ApplyOutcome& outcome);
     void failed(const ew::Error& error);
 
   private:
     void beginWait();
-    void onWaitOver();
+    void look();
+    void stopCountdown();
+    void onCountdownOver();
     void onReadingChanged();
     bool clear() const;
 
     Document& document_;
     LiveReading& reading_;
-    QTimer wait_;
+    QTimer countdown_;
+    QTimer look_;                 ///< runs through the whole wait
     bool awaitsReading_ = false;  ///< the wait begins when the ink was read
     std::function<bool()> busy_;
     bool automatic_ = true;

@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 #include <vector>
 
+#include "core/base/words.h"
+
 namespace ew {
 
 namespace {
@@ -31,28 +33,22 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "Core", "Lines cross at %1 where no corner is; draw visible edges only, or drop a line."),
     QT_TRANSLATE_NOOP("Core",
-                      "This could be a %1, but an edge is %2 degrees off its parallels (the angle "
+                      "This could be %1, but an edge is %2 degrees off its parallels (the angle "
                       "threshold is %3)."),
     QT_TRANSLATE_NOOP("Core", "The lines fit no %1 closely: they are %2 off on average."),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "This could be a %1 or %2, but only without some of the lines; choose it, or draw on."),
-    QT_TRANSLATE_NOOP(
-        "Core", "This could be a %1, but only without some of the lines; choose it, or draw on."),
     QT_TRANSLATE_NOOP(
         "Core", "This could be %1, but only without some of the lines; choose it, or draw on."),
     QT_TRANSLATE_NOOP("Core",
                       "This is one flat outline; a solid needs the lines inside it too, where its "
                       "faces meet."),
     QT_TRANSLATE_NOOP("Core",
-                      "Just two faces are drawn here; this could be a %1. Choose it, or draw the "
+                      "Just two faces are drawn here; this could be %1. Choose it, or draw the "
                       "third face."),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "As it is drawn this %1 would be far deeper than it is wide, or hardly thicker "
-        "than a line; choose it, or draw it from another side."),
     QT_TRANSLATE_NOOP("Core",
-                      "Seen from here a %1 looks like simpler solids; choose it, or turn the view "
+                      "As it is drawn %1 would be far deeper than it is wide, or hardly thicker "
+                      "than a line; choose it, or draw it from another side."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Seen from here %1 looks like simpler solids; choose it, or turn the view "
                       "and draw again."),
     QT_TRANSLATE_NOOP("Core",
                       "Seen from here this could be %1, or something simpler; choose it, or turn "
@@ -171,7 +167,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Drop this line"),
     QT_TRANSLATE_NOOP("Core", "Keep the largest drawing"),
     QT_TRANSLATE_NOOP("Core", "Keep drawing %1"),
-    QT_TRANSLATE_NOOP("Core", "Take it as a %1 all the same"),
+    QT_TRANSLATE_NOOP("Core", "Take it as %1 all the same"),
     QT_TRANSLATE_NOOP("Core", "Take the %1"), QT_TRANSLATE_NOOP("Core", "Take: %1"),
     QT_TRANSLATE_NOOP("Core", "belongs to no region"), QT_TRANSLATE_NOOP("Core", "a dot"),
     QT_TRANSLATE_NOOP("Core", "a scribble"), QT_TRANSLATE_NOOP("Core", "a curve"),
@@ -212,7 +208,8 @@ const QRegularExpression& place() {
 }
 
 /// What stands in the places of sentences only.
-constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "one place"),
+constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "%1 or %2"),
+                                  QT_TRANSLATE_NOOP("Core", "one place"),
                                   QT_TRANSLATE_NOOP("Core", "%1 places"),
                                   QT_TRANSLATE_NOOP("Core", "one corner"),
                                   QT_TRANSLATE_NOOP("Core", "%1 corners"),
@@ -220,10 +217,12 @@ constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "one place"),
                                   QT_TRANSLATE_NOOP("Core", "%1 edges"),
                                   QT_TRANSLATE_NOOP("Core", "%1 more"),
                                   QT_TRANSLATE_NOOP("Core", "%1 fewer"),
-                                  QT_TRANSLATE_NOOP("Core", "adding a %1"),
-                                  QT_TRANSLATE_NOOP("Core", "cutting a %1"),
+                                  QT_TRANSLATE_NOOP("Core", "adding %1"),
+                                  QT_TRANSLATE_NOOP("Core", "cutting %1"),
                                   QT_TRANSLATE_NOOP("Core", "radius %1"),
                                   QT_TRANSLATE_NOOP("Core", "stays sharp"),
+                                  QT_TRANSLATE_NOOP("Core", "a %1"),
+                                  QT_TRANSLATE_NOOP("Core", "an %1"),
                                   QT_TRANSLATE_NOOP("Core", "there is no room left on the disk"),
                                   QT_TRANSLATE_NOOP("Core", "its folder does not exist"),
                                   QT_TRANSLATE_NOOP("Core", "it is a folder"),
@@ -240,8 +239,18 @@ constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "one place"),
                                   QT_TRANSLATE_NOOP("Core", "a STEP model"),
                                   QT_TRANSLATE_NOOP("Core", "XML text, as SVG files are"),
                                   QT_TRANSLATE_NOOP("Core", "text of another kind"),
-                                  QT_TRANSLATE_NOOP("Core", "data of another kind"),
-                                  QT_TRANSLATE_NOOP("Core", "%1 or %2")};
+                                  QT_TRANSLATE_NOOP("Core", "data of another kind")};
+
+/// What a person calls the shipped shapes in a sentence about what was done.
+struct Noun {
+    const char* name;
+    const char* noun;
+};
+constexpr Noun kNouns[] = {{"Cube", QT_TRANSLATE_NOOP("Core", "a box")},
+                           {"L-prism", QT_TRANSLATE_NOOP("Core", "an L-prism")},
+                           {"Triangular prism", QT_TRANSLATE_NOOP("Core", "a prism")},
+                           {"Triangular pyramid", QT_TRANSLATE_NOOP("Core", "a pyramid")},
+                           {"Wedge frustum", QT_TRANSLATE_NOOP("Core", "a frustum")}};
 
 struct Wording {
     const char* source;
@@ -301,6 +310,13 @@ QString translated(const QString& english, bool isPart) {
 }
 
 }  // namespace
+
+QString solidText(const std::string& templateName) {
+    for (const Noun& n : kNouns) {
+        if (templateName == n.name) return QCoreApplication::translate(kContext, n.noun);
+    }
+    return translated(QString::fromStdString(withArticle(templateName)), true);
+}
 
 QString coreText(const std::string& english) {
     // Labels are painted with every frame.

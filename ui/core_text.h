@@ -12,4 +12,8 @@ namespace ew {
 /// people gave their own templates.
 QString coreText(const std::string& english);
 
+/// A template's shape in a sentence about what was done, in the language of the window: "a box",
+/// "an L-prism"; with its article where the language wants one.
+QString solidText(const std::string& templateName);
+
 }  // namespace ew

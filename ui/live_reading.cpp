@@ -11,7 +11,8 @@ namespace ew {
 
 namespace {
 constexpr int kFrameMs = 16;
-constexpr int kSettleMs = 700;
+// The pen rests: nothing was drawn and it did not move above the sheet for so long.
+constexpr int kSettleMs = 1200;
 // While drawing, reading may take this share of the time at most: wait (1 / share - 1) times its
 // own cost before it is done again.
 constexpr double kWaitPerCost = 2.0;
@@ -61,6 +62,14 @@ void LiveReading::settleNow() {
     emit changed();
 }
 
+bool LiveReading::justBegun() const {
+    return document_.pendingStrokes().size() == 1 && underWay_ == nullptr && reading_.graph.empty();
+}
+
+void LiveReading::penMoved() {
+    if (settleTimer_.isActive()) settleTimer_.start();
+}
+
 int LiveReading::current() const {
     const int count = static_cast<int>(reading_.candidates.size());
     if (chosen_ >= 0 && chosen_ < count) return chosen_;
@@ -79,6 +88,9 @@ void LiveReading::onDocumentChanged(DocumentChange what) {
         case DocumentChange::Ink:
             chosen_ = -1;
             ++revision_;
+            // Taking strokes back is a part of drawing too.
+            settled_ = false;
+            settleTimer_.start();
             schedule();
             break;
         case DocumentChange::Reading:

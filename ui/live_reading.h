@@ -33,9 +33,14 @@ class LiveReading : public QObject {
     void strokeGone();
     bool strokeUnderWay() const { return underWay_ != nullptr; }
 
-    /// False while someone draws and a little longer: an unfinished drawing is not criticised.
-    bool settled() const { return settled_; }
+    /// False until the pen rests, and for a first stroke that is no drawing yet: what is unfinished
+    /// is not criticised.
+    bool settled() const { return settled_ && !justBegun(); }
+    /// One stroke that encloses nothing.
+    bool justBegun() const;
     void settleNow();
+    /// The pen moves above the sheet: it does not rest.
+    void penMoved();
 
     /// What the person chose among the candidates; -1 where nothing was chosen by hand.
     int chosen() const { return chosen_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -9,6 +10,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPainter>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStyle>
@@ -32,6 +34,7 @@
 #include "ui/panels/surface_panel.h"
 #include "ui/panels/template_panel.h"
 #include "ui/panels/threshold_panel.h"
+#include "ui/pointer_place.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
@@ -41,7 +44,15 @@ namespace ew {
 
 namespace {
 // Counts up when the panels are arranged in a new way, so that an old arrangement is not restored.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
+// The window's first size, and what its frame takes of the screen [logical px].
+constexpr int kWidth = 1360;
+constexpr int kHeight = 860;
+constexpr int kFrameWidth = 8;
+constexpr int kFrameHeight = 40;
+// Less than this, and panels of one side share a place; less than that, and both sides do.
+constexpr int kRoomForThree = 640;
+constexpr int kRoomForTwoSides = 1100;
 }  // namespace
 
 MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options,
@@ -53,6 +64,7 @@ MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWind
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    pointer_ = new PointerPlace(this);
     reading_ = new LiveReading(*document_, this);
     apply_ = new ApplyController(*document_, *reading_, this);
     apply_->setBusyTest([this] { return panelInUse(); });
@@ -64,14 +76,15 @@ MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWind
         if (what == DocumentChange::File) refreshTitle();
     });
     refreshTitle();
-    resize(1360, 860);
+    arrangeFor(options_.available.isEmpty() ? screen()->availableSize() : options_.available);
     restore();
     viewport_->setFocus();
 }
 
 // The viewport releases its OpenGL context while the document still lives.
 MainWindow::~MainWindow() {
-    // A number that is half typed is told when the field loses the focus, while there is a document.
+    // A number that is half typed is told when the field loses the focus, while there is a
+    // document.
     endTyping();
     hide();
     delete tools_;
@@ -138,6 +151,18 @@ void MainWindow::buildActions() {
     });
 }
 
+QWidget* MainWindow::scrolled(QWidget* content) {
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    // Its rows are never cut off: they scroll up and down only.
+    scroll->setMinimumWidth(content->minimumSizeHint().width() +
+                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return scroll;
+}
+
 QDockWidget* MainWindow::addPanel(const QString& title, const QString& name, QWidget* content,
                                   Qt::DockWidgetArea area) {
     auto* panel = new QDockWidget(title, this);
@@ -161,29 +186,38 @@ void MainWindow::buildPanels() {
              new ThresholdPanel(*document_, this), Qt::RightDockWidgetArea);
     auto* templates = new TemplatePanel(*document_, appearance_, this);
     connect(templates, &TemplatePanel::addSolidRequested, sketches_, &SketchActions::addTemplate);
-    addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), templates, Qt::LeftDockWidgetArea);
+    addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), scrolled(templates),
+             Qt::LeftDockWidgetArea);
     addPanel(tr("History"), QStringLiteral("historyPanel"), new HistoryPanel(*document_, this),
              Qt::LeftDockWidgetArea);
-    auto* scroll = new QScrollArea(this);
-    auto* surface = new SurfacePanel(*document_, *surface_, *surfaces_, *tools_, scroll);
-    scroll->setWidget(surface);
-    // Its rows are never cut off: they scroll up and down only.
-    scroll->setMinimumWidth(surface->minimumSizeHint().width() +
-                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    addPanel(tr("Surface"), QStringLiteral("surfacePanel"), scroll, Qt::LeftDockWidgetArea);
+    addPanel(tr("Surface"), QStringLiteral("surfacePanel"),
+             scrolled(new SurfacePanel(*document_, *surface_, *surfaces_, *tools_, this)),
+             Qt::LeftDockWidgetArea);
+    // Enter ends what is typed, and the keys are the drawing's again.
+    for (QAbstractSpinBox* number : findChildren<QAbstractSpinBox*>()) {
+        connect(number, &QAbstractSpinBox::editingFinished, this, [this, number] {
+            if (number->hasFocus()) viewport_->setFocus();
+        });
+    }
     tabifyDockWidget(panels_[3], panels_[5]);
     panels_[3]->raise();
-    arrangePanels();
 }
 
-void MainWindow::arrangePanels() {
+void MainWindow::arrangeFor(const QSize& available) {
+    // Where there is little room, panels share a place, each behind its tab.
+    if (available.height() < kRoomForThree) tabifyDockWidget(panels_[0], panels_[1]);
+    if (available.width() < kRoomForTwoSides) {
+        for (const int panel : {3, 4, 5}) tabifyDockWidget(panels_[0], panels_[panel]);
+    }
+    layout()->activate();  // else it is no smaller than with its panels side by side
+    resize(QSize(kWidth, kHeight).boundedTo(available - QSize(kFrameWidth, kFrameHeight)));
     resizeDocks({panels_[0], panels_[1], panels_[2]}, {240, 380, 110}, Qt::Vertical);
     resizeDocks({panels_[0]}, {308}, Qt::Horizontal);
-    resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
-    resizeDocks({panels_[3]}, {264}, Qt::Horizontal);
+    if (available.width() >= kRoomForTwoSides) {
+        resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
+        resizeDocks({panels_[3]}, {264}, Qt::Horizontal);
+    }
+    panels_[available.height() < kRoomForThree ? 1 : 0]->raise();
 }
 
 void MainWindow::buildToolBar() {
@@ -217,9 +251,8 @@ bool MainWindow::panelInUse() const {
         return true;
     }
     if (QApplication::mouseButtons() != Qt::NoButton) return true;
-    return std::any_of(panels_.begin(), panels_.end(), [](const QDockWidget* panel) {
-        return panel->isVisible() && panel->underMouse();
-    });
+    return std::any_of(panels_.begin(), panels_.end(),
+                       [this](const QDockWidget* panel) { return pointer_->isOver(*panel); });
 }
 
 void MainWindow::refreshTitle() {
@@ -269,10 +302,14 @@ void MainWindow::endTyping() {
     if (QWidget* field = focusWidget()) field->clearFocus();
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+bool MainWindow::mayClose() {
     endTyping();
     surface_->settle();
-    if (!files_->mayDiscard()) {
+    return files_->mayDiscard();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayClose()) {
         event->ignore();
         return;
     }

@@ -19,6 +19,7 @@ class EditActions;
 class FileActions;
 class LiveReading;
 class MessageBar;
+class PointerPlace;
 class SketchActions;
 class SurfaceActions;
 class SurfaceController;
@@ -28,6 +29,7 @@ class ViewportWidget;
 
 struct MainWindowOptions {
     bool remember = true;  ///< size, panels, theme and switches, over runs
+    QSize available = {};  ///< of the screen, for the first size [logical px]; empty: asked for
 };
 
 /// The window: viewport and message bar in the middle, panels round it. It makes the parts and
@@ -42,6 +44,8 @@ class MainWindow : public QMainWindow {
                QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    /// Ends what is typed or dragged and asks about work that is not saved; false where it stays.
+    bool mayClose();
     /// The window as it is seen, without its frame.
     QPixmap picture();
 
@@ -68,9 +72,12 @@ class MainWindow : public QMainWindow {
     void buildActions();
     void buildPanels();
     void buildToolBar();
+    /// The content where it needs more height than it gets.
+    QWidget* scrolled(QWidget* content);
     QDockWidget* addPanel(const QString& title, const QString& name, QWidget* content,
                           Qt::DockWidgetArea area);
-    void arrangePanels();
+    /// Size and panels for a screen with so much room.
+    void arrangeFor(const QSize& available);
     bool panelInUse() const;
     void refreshTitle();
     void restore();
@@ -79,6 +86,7 @@ class MainWindow : public QMainWindow {
     Appearance& appearance_;
     MainWindowOptions options_;
     std::unique_ptr<Document> document_;
+    PointerPlace* pointer_ = nullptr;
     LiveReading* reading_ = nullptr;
     ApplyController* apply_ = nullptr;
     ViewportWidget* viewport_ = nullptr;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "core/base/words.h"
+#include "core/modeling/nearest_template.h"
 #include "core/tlib/library_index.h"
 
 namespace ew {
@@ -271,7 +273,7 @@ class Explainer {
                 r_.repairs.push_back(raise);
             }
             problem(Errc::NotParallel,
-                    "This could be a " + c.templateName + ", but an edge is " +
+                    "This could be " + withArticle(c.templateName) + ", but an edge is " +
                         std::to_string(deg) +
                         " degrees off its parallels (the angle threshold is " +
                         std::to_string(static_cast<int>(std::lround(angle))) + ").",
@@ -284,7 +286,7 @@ class Explainer {
                         px(c.residualPx) + " off on average.",
                     std::move(where));
         }
-        useCandidate(0, "Take it as a " + c.templateName + " all the same");
+        useCandidate(0, "Take it as " + withArticle(c.templateName) + " all the same");
     }
 
     int worstParallel(const RatedCandidate& best) const {
@@ -324,26 +326,28 @@ class Explainer {
         const auto& all = *f_.candidates;
         std::vector<Vec2> where{r_.graph.junctions.front().position};
         std::string names = all[0].candidate.templateName;
+        std::string withArticles = withArticle(names);
         std::set<std::string> told{all[0].candidate.templateId};
         useCandidate(0, "Take the " + all[0].candidate.templateName);
         for (std::size_t i = 1; i < all.size() && told.size() < 3; ++i) {
             if (!told.insert(all[i].candidate.templateId).second) continue;
             names += " or " + all[i].candidate.templateName;
+            withArticles += " or " + withArticle(all[i].candidate.templateName);
             useCandidate(static_cast<int>(i), "Take the " + all[i].candidate.templateName);
         }
         std::string message = "This can be read as " + names + "; choose one.";
         if (f_.leavesInk) {
-            message = "This could be a " + names +
+            message = "This could be " + withArticles +
                       ", but only without some of the lines; choose it, or draw on.";
         } else if (f_.twoFaces) {
-            message = "Just two faces are drawn here; this could be a " + names +
+            message = "Just two faces are drawn here; this could be " + withArticles +
                       ". Choose it, or draw the third face.";
         } else if (f_.absurd) {
-            message = "As it is drawn this " + names +
+            message = "As it is drawn " + withArticles +
                       " would be far deeper than it is wide, or hardly thicker than a line; choose "
                       "it, or draw it from another side.";
         } else if (f_.accidental) {
-            message = "Seen from here a " + names +
+            message = "Seen from here " + withArticles +
                       " looks like simpler solids; choose it, or turn the view and draw again.";
         }
         problem(Errc::Ambiguous, std::move(message), std::move(where));
@@ -368,7 +372,17 @@ class Explainer {
         problem(Errc::NoMatch, message, std::move(where));
     }
 
-    /// The aspect with the most similar corners.
+    /// An aspect, and how far its corners are from those drawn.
+    struct Similar {
+        double off = 0.0;
+        const LibraryEntry* entry = nullptr;
+        const Aspect* aspect = nullptr;
+        std::array<int, 6> degrees{};  ///< corners by how many lines meet there
+        int edges = 0;                 ///< more than drawn
+        int corners = 0;
+    };
+    static constexpr std::size_t kMostCompared = 6;
+
     void nearest() {
         if (r_.graph.empty()) return;
         auto histogram = [](const std::vector<int>& d) {
@@ -378,7 +392,7 @@ class Explainer {
         };
         const std::vector<int> mine = degrees(r_.graph);
         const auto ours = histogram(mine);
-        double best = std::numeric_limits<double>::infinity();
+        std::vector<Similar> similar;
         for (const auto& entry : library_.index().entries) {
             for (const Aspect& a : entry->aspects) {
                 std::vector<int> d(a.vertex.size(), 0);
@@ -394,12 +408,30 @@ class Explainer {
                 const int corners =
                     static_cast<int>(a.vertex.size()) - static_cast<int>(r_.graph.junctions.size());
                 off += 0.5 * std::abs(edges) + 0.5 * std::abs(corners);
-                if (off >= best) continue;
-                best = off;
-                r_.nearest = NearestTemplate{entry->tmpl.id, entry->tmpl.name, a.name, {}, {}};
-                nearestDegrees_ = theirs;
-                difference_ = tellDifference(edges, corners);
+                similar.push_back({off, entry.get(), &a, theirs, edges, corners});
             }
+        }
+        std::stable_sort(similar.begin(), similar.end(),
+                         [](const Similar& a, const Similar& b) { return a.off < b.off; });
+        if (similar.size() > kMostCompared) similar.resize(kMostCompared);
+        tellNearest(similar);
+    }
+
+    /// Of aspects with much the same corners, the one that differs by the fewest lines.
+    void tellNearest(const std::vector<Similar>& similar) {
+        std::size_t fewest = std::numeric_limits<std::size_t>::max();
+        double offPx = 0.0;
+        for (const Similar& s : similar) {
+            auto d = compare(r_.graph, *s.entry, *s.aspect, options_.thresholds.distancePx);
+            if (!d) continue;
+            const std::size_t lines = d->missing.size() + d->extra.size();
+            if (lines > fewest || (lines == fewest && d->offPx >= offPx)) continue;
+            fewest = lines;
+            offPx = d->offPx;
+            r_.nearest = NearestTemplate{s.entry->tmpl.id, s.entry->tmpl.name, s.aspect->name,
+                                         std::move(d->missing), std::move(d->extra)};
+            nearestDegrees_ = s.degrees;
+            difference_ = tellDifference(s.edges, s.corners);
         }
     }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/tolerance.h"
+#include "core/base/words.h"
 #include "core/edge_graph/canonical.h"
 #include "core/modeling/accidental.h"
 #include "core/modeling/box_on_solid.h"
@@ -426,8 +427,8 @@ class Modification {
     }
 
     static std::string sentence(const Candidate& c) {
-        return std::string(c.operation == Operation::Add ? "adding a " : "cutting a ") +
-               c.templateName;
+        return std::string(c.operation == Operation::Add ? "adding " : "cutting ") +
+               withArticle(c.templateName);
     }
 
     std::vector<Vec2> place() const {

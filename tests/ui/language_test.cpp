@@ -49,6 +49,42 @@ TEST_F(German, MenusPanelsAndPluralsAreGerman) {
     EXPECT_EQ(document().undoStack().text(0), "Quader erzeugen");
 }
 
+TEST_F(German, TheHistoryOfADocumentFromAnEnglishWindowIsGerman) {
+    const QString path = folder_.filePath("english.edgewright");
+    QCoreApplication::removeTranslator(&translator_);
+    Document english(document().state().library);
+    ASSERT_TRUE(english.setCamera(document().camera()));
+    for (const auto& l : boxLines()) {
+        ASSERT_TRUE(english.addStroke(Stroke{{{l[0], 1, 0}, {l[1], 1, 0}}}));
+    }
+    ASSERT_TRUE(english.apply());
+    ASSERT_TRUE(english.fillet({{}, 2.0, {}, false}));
+    ASSERT_TRUE(english.fillet({{EdgeChoice::Which::Picked, {{0, 1}}}, 3.0, {}, false}));
+    SubdivisionSettings smooth;
+    smooth.on = true;
+    ASSERT_TRUE(english.subdivide(smooth));
+    ASSERT_TRUE(english.defineTemplateFromSolid("mine", "Hat stand"));
+    ASSERT_TRUE(english.deleteBodies());
+    EXPECT_EQ(english.undoStack().text(0), "Create cube");
+    ASSERT_TRUE(english.save(path));
+    ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
+    ASSERT_TRUE(document().open(path));
+    const QStringList german{
+        "Quader erzeugen", "12 Kanten verrunden",           "1 Kante verrunden",
+        "Glatte Fläche",   "Vorlage „Hat stand“ festlegen", "Körper löschen"};
+    for (int i = 0; i < german.size(); ++i) {
+        EXPECT_EQ(document().undoStack().text(i).toStdString(), german[i].toStdString());
+    }
+    // And the other way round.
+    const QString back = folder_.filePath("german.edgewright");
+    ASSERT_TRUE(document().save(back));
+    QCoreApplication::removeTranslator(&translator_);
+    ASSERT_TRUE(english.open(back));
+    EXPECT_EQ(english.undoStack().text(0), "Create cube");
+    EXPECT_EQ(english.undoStack().text(4), "Define template “Hat stand”");
+    ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
+}
+
 TEST_F(German, ExamplesOpenFromTheMenuByTheirGermanTitles) {
     QMenu* const file = window_->menuBar()->actions().front()->menu();
     QMenu* examples = nullptr;
@@ -140,6 +176,16 @@ TEST_F(German, WhatTheCoreSaysIsGermanToo) {
               "(zeigt 2 Kanten weniger und eine Ecke mehr).");
     EXPECT_EQ(coreText("This can be read as Cube or Hat stand or L-prism; choose one."),
               "Lesbar als Quader oder Hat stand oder L-Prisma; bitte auswählen.");
+    EXPECT_EQ(coreText("This could be a Cube or an L-prism, but only without some of the lines; "
+                       "choose it, or draw on."),
+              "Lesbar als Quader oder L-Prisma, aber nur ohne einige der Linien; auswählen oder "
+              "weiterzeichnen.");
+    EXPECT_EQ(coreText("Take it as an L-prism all the same"), "Trotzdem nehmen: L-Prisma");
+    EXPECT_EQ(coreText("Take: cutting an L-prism"), "Nehmen: L-Prisma abziehen");
+    EXPECT_EQ(coreText("This can be read as adding a Cube or cutting an L-prism; choose one."),
+              "Lesbar als Quader hinzufügen oder L-Prisma abziehen; bitte auswählen.");
+    EXPECT_EQ(solidText("Cube"), "Quader");
+    EXPECT_EQ(solidText("Hat stand"), "Hat stand");
     // The name that somebody gave, and what nobody has translated.
     EXPECT_EQ(coreText("Take the 50 %1 thing"), "Nehmen: 50 %1 thing");
     EXPECT_EQ(coreText("Do or die"), "Do or die");
@@ -201,7 +247,9 @@ TEST_F(German, WhatTheCoreSaysOfSurfacesIsGermanToo) {
 }
 
 TEST(CoreText, IsEnglishInEnglish) {
-    for (const char* text : {"Take the Cube", "gap 19 px, threshold 14 px", "one corner", ""}) {
+    for (const char* text : {"Take the Cube", "gap 19 px, threshold 14 px", "one corner", "",
+                             "This could be an L-prism, but only without some of the lines; choose "
+                             "it, or draw on."}) {
         EXPECT_EQ(coreText(text), text);
     }
 }

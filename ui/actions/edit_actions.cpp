@@ -44,6 +44,7 @@ EditActions::EditActions(const WindowContext& context, QWidget* window)
         if (what == DocumentChange::Camera) return;
         refresh();
     });
+    connect(&context_.tools, &ToolBox::gestureChanged, this, &EditActions::refresh);
     refresh();
 }
 
@@ -95,16 +96,16 @@ void EditActions::fill(QMenu* menu) {
 }
 
 void EditActions::undo() {
-    context_.tools.cancelGesture();
-    // What was drawn last comes off first: the newest stroke, then the newest step.
-    if (context_.document.canUndoInk()) {
-        context_.document.undoInk();
-    } else if (auto done = context_.document.undo(); !done) {
+    // What was done last comes off first: what is under way, then ink and steps in one line.
+    if (context_.tools.takeGestureBack()) return;
+    if (context_.document.undoInk()) return;
+    if (auto done = context_.document.undo(); !done) {
         context_.messages.showError(done.error());
     }
 }
 
 void EditActions::redo() {
+    if (context_.document.redoInk()) return;
     if (auto done = context_.document.redo(); !done) context_.messages.showError(done.error());
 }
 
@@ -116,13 +117,17 @@ void EditActions::cancel() {
 void EditActions::refresh() {
     const Document& document = context_.document;
     const QUndoStack& stack = document.undoStack();
-    const bool ink = document.canUndoInk();
+    const bool gesture = context_.tools.gestureUnderWay();
+    const bool ink = gesture || document.canUndoInk();
+    const bool inkAgain = document.canRedoInk();
     undoAction->setEnabled(ink || stack.canUndo());
-    redoAction->setEnabled(stack.canRedo());
+    redoAction->setEnabled(inkAgain || stack.canRedo());
     undoAction->setText(ink               ? tr("&Undo stroke")
                         : stack.canUndo() ? tr("&Undo %1").arg(stack.undoText())
                                           : tr("&Undo"));
-    redoAction->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText()) : tr("&Redo"));
+    redoAction->setText(inkAgain          ? tr("&Redo stroke")
+                        : stack.canRedo() ? tr("&Redo %1").arg(stack.redoText())
+                                          : tr("&Redo"));
     clearAction->setEnabled(!document.pendingStrokes().empty());
     deleteAction->setEnabled(!document.state().bodies.empty());
 }

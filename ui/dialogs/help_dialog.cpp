@@ -122,7 +122,9 @@ void showQuickHelp(QWidget* window) {
              {Help::tr("Move the view"), Help::tr("Shift with the middle button, Space with left")},
              {Help::tr("Zoom"), Help::tr("wheel, or two fingers")},
              {Help::tr("Undo"),
-              Help::tr("Ctrl+Z: the newest stroke first, then the newest step")}});
+              Help::tr(
+                  "Ctrl+Z: strokes and steps in the order in which they were made, and the stroke "
+                  "under way; Ctrl+Shift+Z goes forward")}});
     showText(window, QStringLiteral("quickHelp"), Help::tr("Quick help"),
              tour + surfaceHelp() + gestures, {560, 620});
 }

@@ -29,6 +29,21 @@ QString aspectText(const std::string& aspect) {
     return text;
 }
 
+namespace {
+
+QString differenceText(const Interpretation& reading) {
+    const auto missing = static_cast<int>(reading.nearest->missing.size());
+    const auto extra = static_cast<int>(reading.nearest->extra.size());
+    const auto open = static_cast<int>(reading.graph.openEnds.size());
+    if (missing + extra > 0) {
+        return GraphPanel::tr("%1 missing, %2 too many").arg(missing).arg(extra);
+    }
+    if (open > 0) return GraphPanel::tr("Every line is there, %n end(s) open", nullptr, open);
+    return GraphPanel::tr("As many lines, which meet in another way");
+}
+
+}  // namespace
+
 GraphPanel::GraphPanel(LiveReading& reading, Appearance& appearance, QWidget* parent)
     : QWidget(parent), reading_(reading), heading_(new QLabel(this)), detail_(new QLabel(this)) {
     auto* layout = new QVBoxLayout(this);
@@ -38,6 +53,7 @@ GraphPanel::GraphPanel(LiveReading& reading, Appearance& appearance, QWidget* pa
     bold.setBold(true);
     heading_->setFont(bold);
     heading_->setObjectName(QStringLiteral("graphHeading"));
+    detail_->setObjectName(QStringLiteral("graphDetail"));
     detail_->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(heading_);
     layout->addWidget(detail_);
@@ -62,9 +78,7 @@ void GraphPanel::refresh() {
     const int edges = static_cast<int>(r.graph.edges.size());
     if (r.nearest && reading_.settled()) {
         heading_->setText(tr("Nearest: %1").arg(coreText(r.nearest->templateName)));
-        detail_->setText(tr("%1 missing, %2 too many")
-                             .arg(r.nearest->missing.size())
-                             .arg(r.nearest->extra.size()));
+        detail_->setText(differenceText(r));
         return;
     }
     heading_->setText(edges > 0 ? tr("No template yet") : tr("Nothing read yet"));

@@ -45,11 +45,7 @@ void HistoryPanel::refresh() {
 void HistoryPanel::goTo(int row) {
     const int index = document_.undoStack().index();
     if (row < 0 || row == index) return;
-    if (row < index) {
-        (void)document_.undo(index - row);
-    } else {
-        (void)document_.redo(row - index);
-    }
+    (void)document_.goToStep(row);
 }
 
 }  // namespace ew

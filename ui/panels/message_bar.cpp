@@ -17,6 +17,7 @@ namespace ew {
 namespace {
 
 constexpr std::size_t kMostRepairs = 3;
+constexpr int kTextRoom = 240;  // for the sentence [px]
 
 bool sameRepairs(const std::vector<Repair>& a, const std::vector<Repair>& b) {
     return a.size() == b.size() &&
@@ -24,6 +25,18 @@ bool sameRepairs(const std::vector<Repair>& a, const std::vector<Repair>& b) {
                return x.kind == y.kind && x.label == y.label && x.from == y.from && x.to == y.to &&
                       x.strokes == y.strokes && x.value == y.value && x.candidate == y.candidate;
            });
+}
+
+QString doneText(const Candidate& candidate) {
+    const QString solid = solidText(candidate.templateName);
+    switch (candidate.operation) {
+        case Operation::Add:
+            return MessageBar::tr("Added %1.").arg(solid);
+        case Operation::Cut:
+            return MessageBar::tr("Cut %1.").arg(solid);
+        default:
+            return MessageBar::tr("Made %1.").arg(solid);
+    }
 }
 
 }  // namespace
@@ -57,8 +70,9 @@ MessageBar::MessageBar(Document& document, LiveReading& reading, ApplyController
     countdown_.setDuration(ApplyController::kWaitMs);
     connect(&countdown_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     connect(&reading, &LiveReading::changed, this, &MessageBar::refresh);
-    connect(&apply, &ApplyController::waitingChanged, this, &MessageBar::onWaiting);
+    connect(&apply, &ApplyController::countdownChanged, this, &MessageBar::onCountdown);
     connect(&apply, &ApplyController::failed, this, &MessageBar::showError);
+    connect(&apply, &ApplyController::applied, this, &MessageBar::onApplied);
     connect(&appearance, &Appearance::changed, this, &MessageBar::refresh);
     connect(&document, &Document::changed, this, [this](DocumentChange what) {
         if (what == DocumentChange::Ink || what == DocumentChange::Bodies) notice_.reset();
@@ -79,12 +93,22 @@ void MessageBar::showError(const Error& error) {
     refresh();
 }
 
-void MessageBar::onWaiting(bool waiting) {
-    if (waiting) {
+void MessageBar::onCountdown(bool running) {
+    if (running) {
         countdown_.start();
     } else {
         countdown_.stop();
     }
+    refresh();
+}
+
+void MessageBar::onApplied(const ApplyOutcome& outcome) {
+    const int left = static_cast<int>(document_.pendingStrokes().size());
+    if (left == 0 || outcome.chosen < 0) return;
+    const auto chosen = static_cast<std::size_t>(outcome.chosen);
+    notice_ =
+        Sentence{Tone::Good, doneText(outcome.interpretation.candidates[chosen]) + ' ' +
+                                 tr("%n stroke(s) that it does not use stay.", nullptr, left)};
     refresh();
 }
 
@@ -97,7 +121,7 @@ MessageBar::Sentence MessageBar::idleSentence() const {
     const ApplyOutcome& last = *document_.lastApply();
     if (last.chosen < 0) return {Tone::Quiet, tr("Draw the next shape.")};
     const Candidate& made = last.interpretation.candidates[static_cast<std::size_t>(last.chosen)];
-    QString text = tr("%1 made.").arg(coreText(made.templateName));
+    QString text = doneText(made);
     if (!made.notes.empty()) text += ' ' + coreText(made.notes.front());
     const int others = static_cast<int>(last.interpretation.candidates.size()) - 1;
     if (others > 0) text += ' ' + tr("%n other reading(s): keys 1 to 9.", nullptr, others);
@@ -135,13 +159,17 @@ MessageBar::Sentence MessageBar::sentence() const {
         }
     }
     if (r.accepted && reading_.chosen() < 0) {
-        if (apply_.waiting()) {
+        if (apply_.countingDown()) {
             return {Tone::Good, tr("Clear: %1. Applying it; Escape waits.").arg(name)};
         }
         return {Tone::Good, tr("Clear: %1. %2").arg(name, whatEnterDoes(r, current))};
     }
     if (reading_.chosen() >= 0) {
         return {Tone::Quiet, tr("Chosen: %1. %2").arg(name, whatEnterDoes(r, current))};
+    }
+    if (reading_.justBegun()) {
+        const bool bent = r.problem && r.problem->code == Errc::CurvedStroke;
+        return {Tone::Quiet, bent ? coreText(r.problem->message) : tr("Keep drawing.")};
     }
     if (!reading_.settled()) return {Tone::Quiet, tr("Reading the drawing\u2026")};
     if (r.problem) return {Tone::Warning, coreText(r.problem->message)};
@@ -189,9 +217,30 @@ void MessageBar::showRepairs() {
         connect(button, &QPushButton::clicked, this, [this, i] {
             // A copy: carrying it out changes the list that it is in.
             const Repair repair = shownRepairs_[i];
-            if (auto done = document_.repair(repair); !done) showError(done.error());
+            if (repair.kind == Repair::Kind::UseCandidate) {
+                apply_.take(repair.candidate);
+            } else if (auto done = document_.repair(repair); !done) {
+                showError(done.error());
+            }
         });
     }
+    fitRepairs();
+}
+
+void MessageBar::fitRepairs() {
+    int left = width() - kTextRoom;
+    for (int i = 0; i < buttons_->count(); ++i) {
+        QWidget* button = buttons_->itemAt(i)->widget();
+        left -= button->sizeHint().width() + buttons_->spacing();
+        button->setVisible(i == 0 || left >= 0);
+    }
+}
+
+QSize MessageBar::minimumSizeHint() const { return {kTextRoom, metrics::kMessageHeight}; }
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitRepairs();
 }
 
 void MessageBar::paintEvent(QPaintEvent*) {

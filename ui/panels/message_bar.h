@@ -29,7 +29,11 @@ class MessageBar : public QFrame {
     void showError(const Error& error);
     QString text() const;
 
+    /// Long labels of repairs do not widen the window.
+    QSize minimumSizeHint() const override;
+
   protected:
+    void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
   private:
@@ -43,7 +47,10 @@ class MessageBar : public QFrame {
     Sentence idleSentence() const;
     void say(const Sentence& sentence);
     void showRepairs();
-    void onWaiting(bool waiting);
+    /// Shows the first repairs that there is room for beside the sentence.
+    void fitRepairs();
+    void onApplied(const ApplyOutcome& outcome);
+    void onCountdown(bool running);
 
     Document& document_;
     LiveReading& reading_;

@@ -17,6 +17,7 @@
 
 #include "ui/actions/surface_actions.h"
 #include "ui/core_text.h"
+#include "ui/number_box.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/colours.h"
 #include "ui/theme/themed_icon.h"
@@ -33,7 +34,7 @@ constexpr int kListHeight = 96;
 
 /// A number of mm that is typed as a whole before it counts.
 QDoubleSpinBox* millimetres(QWidget* parent, double least, double most, int decimals) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setRange(least, most);
     box->setDecimals(decimals);
     box->setSuffix(SurfacePanel::tr(" mm"));
@@ -167,7 +168,7 @@ void SurfacePanel::buildRadius(QFormLayout* form) {
     radius_ = millimetres(this, 0.001, 1e6, 3);
     radius_->setObjectName(QStringLiteral("radiusNumber"));
     radius_->setValue(kDefaultRadius);
-    segments_ = new QSpinBox(this);
+    segments_ = new WholeNumberBox(this);
     segments_->setObjectName(QStringLiteral("segmentsNumber"));
     segments_->setRange(1, kMaxFilletSegments);
     segments_->setToolTip(

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "ui/actions/surface_actions.h"
+#include "ui/number_box.h"
 #include "ui/panels/surface_panel.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/themed_icon.h"
@@ -30,7 +31,7 @@ constexpr int kSwatchPx = 16;
 
 /// 0 to 10, with "auto" below.
 QDoubleSpinBox* sharpnessBox(QWidget* parent, const QString& explanation) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setRange(-0.5, kInfiniteSharpness);
     box->setSingleStep(0.5);
     box->setDecimals(1);
@@ -57,11 +58,11 @@ void SurfacePanel::buildSurface() {
     detail_->setToolTip(
         tr("Levels split every face alike. A tolerance spends triangles where the "
            "surface is curved."));
-    levels_ = new QSpinBox(this);
+    levels_ = new WholeNumberBox(this);
     levels_->setObjectName(QStringLiteral("levelsNumber"));
     levels_->setRange(1, kMaxSubdivisionLevels);
     levels_->setValue(SubdivisionSettings{}.levels);
-    tolerance_ = new QDoubleSpinBox(this);
+    tolerance_ = new NumberBox(this);
     tolerance_->setObjectName(QStringLiteral("toleranceNumber"));
     tolerance_->setRange(0.001, 1000.0);
     tolerance_->setDecimals(3);
@@ -78,7 +79,7 @@ void SurfacePanel::buildSurface() {
     form->addRow(tr("&Tolerance"), tolerance_);
     buildCreases(form);
     form->addRow(cage_);
-    memory_ = new QSpinBox(this);
+    memory_ = new WholeNumberBox(this);
     memory_->setObjectName(QStringLiteral("memoryNumber"));
     memory_->setRange(1, kMostMemoryMb);
     memory_->setSuffix(tr(" MB"));

@@ -9,6 +9,7 @@
 #include <QSlider>
 
 #include "core/document/document.h"
+#include "ui/number_box.h"
 #include "ui/theme/colours.h"
 #include "ui/theme/themed_icon.h"
 
@@ -60,7 +61,7 @@ ThresholdPanel::ThresholdPanel(Document& document, QWidget* parent)
 
 ThresholdPanel::Row ThresholdPanel::addRow(int row, const QString& name, const QString& unit,
                                            const QString& explanation) {
-    Row made{new QSlider(Qt::Horizontal, this), new QDoubleSpinBox(this)};
+    Row made{new QSlider(Qt::Horizontal, this), new NumberBox(this)};
     auto* label = new QLabel(name, this);
     label->setBuddy(made.slider);
     label->setToolTip(explanation);

@@ -18,7 +18,7 @@ void EraserTool::end(const PenEvent&) {
 }
 
 void EraserTool::cancel() {
-    for (; erased_ > 0; --erased_) context_.document.undoInk();
+    for (; erased_ > 0; --erased_) context_.document.withdrawInk();
 }
 
 void EraserTool::eraseAt(const Vec2& position) {

@@ -9,6 +9,11 @@
 
 namespace ew {
 
+namespace {
+// A stroke that stays this near to where it began is a click: a hand cannot hold still [px].
+constexpr double kClickPx = 3.0;
+}  // namespace
+
 void PenTool::begin(const PenEvent& event) {
     plane_ = context_.reading.sketchCamera();
     const auto map = viewToSketch(context_.document.camera(), plane_);
@@ -42,6 +47,24 @@ void PenTool::end(const PenEvent& event) {
     PenEvent last = event;
     last.pressure = inView_.samples.back().pressure;
     if (inView_.samples.size() < kMaxSamplesPerStroke) append(last);
+    if (keep()) context_.inkDone();
+}
+
+void PenTool::takeBack() {
+    if (drawing_ && keep()) context_.document.undoInk();
+}
+
+bool PenTool::isClick() const {
+    const Vec2& start = inView_.samples.front().position;
+    return std::all_of(inView_.samples.begin(), inView_.samples.end(),
+                       [&](const PenSample& s) { return (s.position - start).norm() <= kClickPx; });
+}
+
+bool PenTool::keep() {
+    if (isClick()) {
+        stop();
+        return false;
+    }
     Stroke done = std::move(onPlane_);
     stop();
     Document& document = context_.document;
@@ -50,11 +73,8 @@ void PenTool::end(const PenEvent& event) {
     if (elsewhere) (void)document.setCamera(plane_);
     const auto added = document.addStroke(std::move(done));
     if (elsewhere) (void)document.setCamera(seen);
-    if (!added) {
-        context_.report(added.error());
-        return;
-    }
-    context_.inkDone();
+    if (!added) context_.report(added.error());
+    return added.has_value();
 }
 
 void PenTool::cancel() {

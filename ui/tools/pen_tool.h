@@ -9,7 +9,7 @@ namespace ew {
 
 /// Draws a stroke. Each sample is only appended; reading and painting follow once a frame.
 /// Strokes that continue a drawing are put on the Sketch Plane of that drawing, however it is seen
-/// now, so that one drawing never mixes two planes.
+/// now, so that one drawing never mixes two planes. A click is no stroke: it leaves nothing.
 class PenTool : public Tool {
   public:
     explicit PenTool(ToolContext context) : context_(std::move(context)) {}
@@ -18,11 +18,15 @@ class PenTool : public Tool {
     void update(const PenEvent& event) override;
     void end(const PenEvent& event) override;
     void cancel() override;
+    void takeBack() override;
 
     bool drawing() const { return drawing_; }
 
   private:
     void append(const PenEvent& event);
+    bool isClick() const;
+    /// Ends the stroke; false where it leaves no ink.
+    bool keep();
     void stop();
 
     ToolContext context_;

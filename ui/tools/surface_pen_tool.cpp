@@ -47,7 +47,7 @@ void SurfacePenTool::end(const PenEvent& event) {
         return;
     }
     if (auto mapped = document.mapStrokes(color_); !mapped) {
-        document.undoInk();
+        document.withdrawInk();
         context_.report(mapped.error());
     }
 }

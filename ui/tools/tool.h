@@ -31,6 +31,8 @@ class Tool {
     virtual void update(const PenEvent& event) = 0;
     virtual void end(const PenEvent& event) = 0;
     virtual void cancel() = 0;
+    /// Like cancel(), but what was made of it can be done again.
+    virtual void takeBack() { cancel(); }
 };
 
 }  // namespace ew

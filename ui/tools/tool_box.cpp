@@ -2,6 +2,7 @@
 #include "ui/tools/tool_box.h"
 
 #include "ui/input/input_arbiter.h"
+#include "ui/live_reading.h"
 #include "ui/tools/edge_tool.h"
 #include "ui/tools/eraser_tool.h"
 #include "ui/tools/orbit_tool.h"
@@ -65,6 +66,13 @@ bool ToolBox::cancelGesture() {
     return true;
 }
 
+bool ToolBox::takeGestureBack() {
+    takingBack_ = true;
+    const bool done = cancelGesture();
+    takingBack_ = false;
+    return done;
+}
+
 Tool* ToolBox::tool(Kind kind) {
     switch (kind) {
         case Kind::Eraser:
@@ -104,8 +112,7 @@ void ToolBox::pointer(const PenEvent& event) {
             hover(event);
             return;
         case PenPhase::Begin:
-            current_ = toolFor(event.intent);
-            current_->begin(event);
+            begin(event);
             return;
         case PenPhase::Update:
             if (current_ != nullptr) current_->update(event);
@@ -114,14 +121,29 @@ void ToolBox::pointer(const PenEvent& event) {
         case PenPhase::End:
             // Over before the tool acts on it: what it does may look at gestureUnderWay().
             if (Tool* tool = std::exchange(current_, nullptr)) tool->end(event);
+            emit gestureChanged();
             return;
         case PenPhase::Cancel:
-            if (Tool* tool = std::exchange(current_, nullptr)) tool->cancel();
+            if (Tool* tool = std::exchange(current_, nullptr)) {
+                if (takingBack_) {
+                    tool->takeBack();
+                } else {
+                    tool->cancel();
+                }
+            }
+            emit gestureChanged();
             return;
     }
 }
 
+void ToolBox::begin(const PenEvent& event) {
+    current_ = toolFor(event.intent);
+    current_->begin(event);
+    emit gestureChanged();
+}
+
 void ToolBox::hover(const PenEvent& event) {
+    if (event.phase == PenPhase::Hover) context_.reading.penMoved();
     const bool erases = event.intent == PenIntent::Erase || active_ == Kind::Eraser;
     const bool shown = event.phase != PenPhase::Leave && (erases || active_ == Kind::Pen);
     context_.viewport.setHover(shown ? std::optional<Vec2>(event.position) : std::nullopt, erases);

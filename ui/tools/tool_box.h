@@ -34,12 +34,18 @@ class ToolBox : public QObject {
     bool gestureUnderWay() const { return current_ != nullptr; }
     /// Escape: the gesture under way leaves nothing. False where there was none.
     bool cancelGesture();
+    /// Undo while a gesture is under way: it ends, and only it is taken back; redo brings its ink
+    /// back. False where there was none.
+    bool takeGestureBack();
 
   signals:
     void activeChanged(ew::ToolBox::Kind kind);
+    /// gestureUnderWay().
+    void gestureChanged();
 
   private:
     void pointer(const PenEvent& event);
+    void begin(const PenEvent& event);
     void hover(const PenEvent& event);
     void zoom(const Vec2& position, double factor);
     void pan(const Vec2& delta);
@@ -56,6 +62,7 @@ class ToolBox : public QObject {
     InputArbiter* arbiter_;  // child of the viewport
     Kind active_ = Kind::Pen;
     Tool* current_ = nullptr;
+    bool takingBack_ = false;
 };
 
 }  // namespace ew
