@@ -390,8 +390,14 @@ class Explainer {
             for (const int x : d) ++h[at(std::min(x, 5))];
             return h;
         };
-        const std::vector<int> mine = degrees(r_.graph);
+        std::vector<int> mine = degrees(r_.graph);
+        // A line with an open end is one that is drawn.
+        for (const DanglingEdge& d : r_.graph.dangling) {
+            if (d.junction >= 0) ++mine[at(d.junction)];
+            mine.push_back(2);
+        }
         const auto ours = histogram(mine);
+        const std::size_t linesDrawn = r_.graph.edges.size() + r_.graph.dangling.size();
         std::vector<Similar> similar;
         for (const auto& entry : library_.index().entries) {
             for (const Aspect& a : entry->aspects) {
@@ -407,7 +413,9 @@ class Explainer {
                                   static_cast<int>(r_.graph.edges.size());
                 const int corners =
                     static_cast<int>(a.vertex.size()) - static_cast<int>(r_.graph.junctions.size());
-                off += 0.5 * std::abs(edges) + 0.5 * std::abs(corners);
+                const auto count = [](std::size_t n) { return static_cast<double>(n); };
+                off += 0.5 * std::abs(count(a.graph.edges.size()) - count(linesDrawn)) +
+                       0.5 * std::abs(count(a.vertex.size()) - count(mine.size()));
                 similar.push_back({off, entry.get(), &a, theirs, edges, corners});
             }
         }
@@ -424,7 +432,8 @@ class Explainer {
         for (const Similar& s : similar) {
             auto d = compare(r_.graph, *s.entry, *s.aspect, options_.thresholds.distancePx);
             if (!d) continue;
-            const std::size_t lines = d->missing.size() + d->extra.size();
+            const std::size_t lines =
+                d->missing.size() + d->extra.size() + static_cast<std::size_t>(d->strays);
             if (lines > fewest || (lines == fewest && d->offPx >= offPx)) continue;
             fewest = lines;
             offPx = d->offPx;

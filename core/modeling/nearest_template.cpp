@@ -24,6 +24,7 @@ struct Drawn {
     };
     std::vector<Vec2> corners;
     std::vector<std::vector<Line>> lines;  ///< per corner
+    int openLines = 0;
 
     Drawn(const EdgeGraph& graph, double distancePx) : reachPx(distancePx) {
         for (const Junction& j : graph.junctions) add(j.position);
@@ -39,7 +40,9 @@ struct Drawn {
             }
             const int a = d.junction >= 0 ? d.junction : cornerAt(ends[0]);
             const int b = cornerAt(ends[1]);
-            if (a != b && !joined(a, b)) join(a, b, kNone);
+            if (a == b || joined(a, b)) continue;
+            join(a, b, kNone);
+            ++openLines;
         }
     }
 
@@ -251,6 +254,7 @@ std::optional<AspectDifference> Laying::difference(std::size_t graphEdges) const
     if (best_.empty()) return std::nullopt;
     AspectDifference out;
     out.offPx = bestOff_;
+    out.strays = drawn_.openLines;
     const SheetMap shape = shapeMap(best_);
     const SheetMap flat = flatMap();
     const auto placeOf = [&](int v) {
@@ -268,6 +272,8 @@ std::optional<AspectDifference> Laying::difference(std::size_t graphEdges) const
             out.missing.push_back({placeOf(e[0]), placeOf(e[1])});
         } else if (line->edge != kNone) {
             explained[at(line->edge)] = true;
+        } else {
+            --out.strays;
         }
     }
     for (std::size_t e = 0; e < graphEdges; ++e) {
@@ -278,8 +284,8 @@ std::optional<AspectDifference> Laying::difference(std::size_t graphEdges) const
 
 }  // namespace
 
-std::optional<AspectDifference> compare(const EdgeGraph& graph, const LibraryEntry& entry, const Aspect& aspect,
-                         double distancePx) {
+std::optional<AspectDifference> compare(const EdgeGraph& graph, const LibraryEntry& entry,
+                                        const Aspect& aspect, double distancePx) {
     const Drawn drawn(graph, distancePx);
     return Laying(drawn, entry, aspect).difference(graph.edges.size());
 }

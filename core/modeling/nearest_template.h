@@ -14,6 +14,7 @@ namespace ew {
 struct AspectDifference {
     std::vector<std::array<Vec2, 2>> missing;  ///< edges of the aspect that are not drawn [px]
     std::vector<int> extra;                    ///< graph edges that it does not show
+    int strays = 0;                            ///< lines with an open end that it does not show
     double offPx = 0.0;  ///< rms distance of the drawn corners to the template in such a view
 };
 

@@ -86,6 +86,19 @@ TEST(Nearest, TellsWhichLinesAreTooMany) {
     EXPECT_EQ(d.extra, (std::vector<int>{0, 1}));
 }
 
+TEST(Nearest, IsTheBoxThatMostLinesAreOf) {
+    const InterpretOptions options;
+    const auto box = boxStrokes(options.camera, kSize, Vec3(-30, -20, 0));
+    // Closed is one face only; the other lines hang on to it.
+    const auto r = readStrokes(without(box, {5, 7}));
+    ASSERT_TRUE(r.nearest);
+    EXPECT_EQ(r.nearest->templateId, "cube");
+    EXPECT_EQ(r.nearest->missing.size(), 2U);
+    EXPECT_TRUE(r.nearest->extra.empty());
+    EXPECT_TRUE(tells(r.nearest->missing, box[5]));
+    EXPECT_TRUE(tells(r.nearest->missing, box[7]));
+}
+
 TEST(Nearest, WhatAReadingTellsAddsUp) {
     const InterpretOptions options;
     const auto box = boxStrokes(options.camera, kSize, Vec3(-30, -20, 0));
