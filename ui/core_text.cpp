@@ -86,8 +86,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Nothing of the solid would be left."),
     QT_TRANSLATE_NOOP("Core", "The two parts have nothing in common."),
     QT_TRANSLATE_NOOP("Core",
-                      "The new part misses the solid by less than a hair; this would leave a gap "
-                      "or a splinter that nobody can see."),
+                      "Two parts would all but touch: a wall, gap or step thinner than a hair "
+                      "would be left that nobody can see. Make the new part a little larger or "
+                      "smaller."),
     QT_TRANSLATE_NOOP("Core",
                       "The solid would touch itself along an edge only. Make the new part a little "
                       "larger or smaller."),

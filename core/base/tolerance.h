@@ -64,6 +64,11 @@ inline constexpr unsigned kMaxRealizedBits = 4096;
 /// misses the solid by rounding: what is meant to coincide coincides exactly, what can be drawn is
 /// a thousand times larger.
 inline constexpr double kSliverRelative = 1e-9;
+/// No change of a solid leaves a wall, gap or step thinner than this, relative, and what a drawing
+/// puts so near to a plane or a corner of the solid is meant to lie in it: a hundredth of a pixel
+/// in a drawing of a thousand, which nobody can draw, and some hundred steps of single precision,
+/// so that mesh files keep apart what is left apart.
+inline constexpr double kThinnestRelative = 1e-5;
 /// Longest exact coordinate that a boolean may produce [bits]. What coincides by exact constraints
 /// stays far below; only long chains of parts that each hang on slanted ones before come here.
 inline constexpr unsigned kMaxExactBits = 8192;
@@ -295,8 +300,8 @@ inline constexpr double kFilletStraightSine = 0.5;
 /// Strips go round the end of a third one where the arc in the face begins at least this share of
 /// its setback away from where their sides would meet.
 inline constexpr double kFilletArcLeast = 0.05;
-/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as a
-/// curve that bends less.
+/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as
+/// a curve that bends less.
 inline constexpr double kFilletArcSkew = 0.25;
 /// Arcs that turn by less than this [rad] are drawn straight: their sagitta is below 1e-4 setbacks.
 inline constexpr double kFilletArcAngle = 1e-3;
