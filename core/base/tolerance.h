@@ -371,6 +371,13 @@ inline constexpr double kStrangeDirectionCost = 6.0;
 /// own: a corner of a face that lies straight on a crease.
 inline constexpr double kNoNormalSine = 1e-9;
 
+/// A triangle has no area where it is no higher than this share of its longest side: its corners
+/// are on one line to rounding.
+inline constexpr double kNoAreaRatio = 1e-7;
+/// Two to four steps of single precision, as a share of the largest coordinate: heights of
+/// triangles below it are noise to a program that reads them so.
+inline constexpr double kSingleStep = 0x1p-22;
+
 /// Two edges lie on one line, and two faces in one plane, where they are this close [share of the
 /// solid's size; sine of the angle]: an exact boolean moves what it leaves by rounding only.
 inline constexpr double kSameEdgeRelative = 1e-7;
