@@ -171,7 +171,8 @@ class ChordFlips {
 }  // namespace
 
 void flipBadTriangles(SurfaceMesh& surface) {
-    constexpr int kPasses = 4;
+    // A row of points on one line is undone from its ends, one triangle a pass.
+    constexpr int kPasses = 64;
     ChordFlips flips(surface);
     for (int pass = 0; pass < kPasses && flips.pass(); ++pass) {
     }

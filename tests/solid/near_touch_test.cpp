@@ -143,7 +143,7 @@ std::vector<Meeting> meetings() {
         {"AThroughHoleAllButOut",
          two(kCut, {2, 2, 6}, {5, 5, 10},
              [](double g) { return box(Vec3(6, 2, 6), Vec3(10 - g, 5, 8)); }),
-         ""},
+         "", ""},
         {"TroughsAcrossEachOther",
          [](double g) {
              return Change{block(wedge(false, 5, 11), kCut), made(wedge(true, 5 - g, -1)), kCut};
