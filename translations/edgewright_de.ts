@@ -536,6 +536,10 @@
         <translation>Es gibt noch nichts zu exportieren.</translation>
     </message>
     <message>
+        <source>In the single precision of this format the shape would not be closed: parts are too thin for it, or too far from the origin. Use .obj or .ply, or change the shape.</source>
+        <translation>In der einfachen Genauigkeit dieses Formats wäre die Form nicht geschlossen: Teile sind zu dünn dafür oder zu weit vom Ursprung entfernt. Verwenden Sie .obj oder .ply, oder ändern Sie die Form.</translation>
+    </message>
+    <message>
         <source>The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf.</source>
         <translation>Die Endung %1 steht für kein Netzformat; möglich sind .obj, .stl, .ply, .glb und .3mf.</translation>
     </message>

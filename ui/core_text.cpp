@@ -134,6 +134,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "There is no surface under the strokes."),
     QT_TRANSLATE_NOOP("Core", "There is no stroke on the surface."),
     QT_TRANSLATE_NOOP("Core", "There is nothing to export yet."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "In the single precision of this format the shape would not be closed: parts "
+        "are too thin for it, or too far from the origin. Use .obj or .ply, or change "
+        "the shape."),
     QT_TRANSLATE_NOOP("Core",
                       "The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf."),
     QT_TRANSLATE_NOOP("Core",

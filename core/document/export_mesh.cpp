@@ -17,6 +17,7 @@
 
 #include "core/document/export_3mf.h"
 #include "core/document/export_gltf.h"
+#include "core/document/shape_reading.h"
 
 namespace ew {
 namespace {
@@ -43,7 +44,8 @@ struct WorldMeshes {
     std::vector<WorldLine> lines;
 };
 
-Result<WorldMeshes> toWorld(const MeshSource& source) {
+/// \param single  the format has single precision, which must not tear the shape.
+Result<WorldMeshes> toWorld(const MeshSource& source, bool single) {
     WorldMeshes out;
     for (std::size_t b = 0; b < source.bodies.size(); ++b) {
         ShapeMesh shape = shapeMesh(source.bodies[b], source.shape.bodies[b]);
@@ -52,6 +54,12 @@ Result<WorldMeshes> toWorld(const MeshSource& source) {
                 continue;
             }
             return fail(Errc::BadValue, "The solid lies too far out to be written to a mesh file.");
+        }
+        if (single && !readsAsClosed(shape)) {
+            return fail(Errc::NotClosed,
+                        "In the single precision of this format the shape would not be closed: "
+                        "parts are too thin for it, or too far from the origin. Use .obj or .ply, "
+                        "or change the shape.");
         }
         WorldMesh mesh;
         mesh.points = std::move(shape.positions);
@@ -310,7 +318,8 @@ Result<void> exportShape(const MeshSource& source, const std::string& path) {
     }
     if (source.bodies.empty()) return fail(Errc::NoSolid, "There is no solid to export yet.");
     if (source.shape.problem) return fail(*source.shape.problem);
-    const auto meshes = toWorld(source);
+    // A 3MF file has all digits, but slicers keep them in single precision.
+    const auto meshes = toWorld(source, extension != ".obj" && extension != ".ply");
     if (!meshes) return fail(meshes.error());
     const auto bytes = *bytesFor(extension, *meshes);
     if (!bytes) return fail(bytes.error());

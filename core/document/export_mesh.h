@@ -31,8 +31,9 @@ struct MeshSource {
 /// The file appears whole or not at all: it is written beside its place and then moved there.
 /// \param path  UTF-8.
 /// Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite, BadValue for a pose
-/// that is not finite or puts a coordinate beyond what the format holds, shape.problem where the
-/// shape could not be made.
+/// that is not finite or puts a coordinate beyond what the format holds, NotClosed where readers of
+/// .stl, .glb and .3mf, which have single precision, would find the shape open or without area,
+/// shape.problem where the shape could not be made.
 Result<void> exportShape(const MeshSource& source, const std::string& path);
 
 /// The same for solids alone.

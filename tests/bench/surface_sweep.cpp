@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Counts what is wrong with exported shapes: every mix of edge choice, radius, segments, scheme and
-// levels, on the examples and on random solids. Prints a table of faults by kind.
+// levels, on the examples and on random solids. Prints a row of faults by kind for every solid as
+// it is done, then one for every part of the mixes.
 #include <QDir>
 #include <QFile>
 #include <cstdio>
@@ -105,6 +106,12 @@ void print(const char* name, const Row& r) {
     std::printf("%-28s %7ld %7ld %9zu %9zu %9zu %9zu %9zu %6zu\n", name, r.shapes, r.faulty,
                 r.sum.badNormals, r.sum.backwardNormals, r.sum.reading.withoutArea,
                 r.sum.reading.openEdges, r.sum.notManifold, r.sum.notMade);
+    std::fflush(stdout);
+}
+
+void printHead() {
+    std::printf("%-28s %7s %7s %9s %9s %9s %9s %9s %6s\n", "", "shapes", "faulty", "normals",
+                "backward", "no area", "edges", "manifold", "none");
 }
 
 }  // namespace
@@ -113,8 +120,10 @@ int main(int argc, char** argv) {
     const Options options = readArguments(argc, argv);
     std::map<std::string, Row> rows;
     long count = 0;
+    printHead();
     for (const Named& solid : solids(options)) {
         ShapeCache cache;
+        Row own;
         for (const SurfaceMix& mix : allMixes()) {
             const auto input = inputFor(solid.bodies, mix);
             if (!input) continue;
@@ -132,6 +141,9 @@ int main(int argc, char** argv) {
                 row.faulty += faults.any() ? 1 : 0;
                 row.sum += faults;
             }
+            ++own.shapes;
+            own.faulty += faults.any() ? 1 : 0;
+            own.sum += faults;
             if (options.list && faults.any()) {
                 Row row;
                 row.shapes = row.faulty = 1;
@@ -150,9 +162,9 @@ int main(int argc, char** argv) {
                 }
             }
         }
+        print(solid.name.c_str(), own);
     }
-    std::printf("%-28s %7s %7s %9s %9s %9s %9s %9s %6s\n", "", "shapes", "faulty", "normals",
-                "backward", "no area", "edges", "manifold", "none");
+    printHead();
     for (const auto& [name, row] : rows) print(name.c_str(), row);
     return rows["all"].faulty == 0 ? 0 : 1;
 }

@@ -129,12 +129,10 @@ ShapeFaults faultsOf(const ShapeInput& input, const DerivedShape& shape) {
     out.notMade = shape.problem ? 1 : 0;
     for (std::size_t b = 0; b < input.bodies.size(); ++b) {
         const ShapeMesh mesh = shapeMesh(input.bodies[b], shape.bodies[b]);
-        std::vector<Eigen::Vector3f> points;
         PolyMesh byIndex;
-        for (const Vec3& p : mesh.positions) points.push_back(p.cast<float>());
         byIndex.points = mesh.positions;
         for (const auto& t : mesh.triangles) byIndex.addFace({t[0], t[1], t[2]});
-        const ReadingFaults reading = faultsWhenRead(points, mesh.triangles);
+        const ReadingFaults reading = readingFaults(mesh);
         out.reading.withoutArea += reading.withoutArea;
         out.reading.openEdges += reading.openEdges;
         if (!checkClosed(byIndex)) ++out.notManifold;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/derived_shape.h"
-#include "core/surface/mesh_reading.h"
+#include "core/document/shape_reading.h"
 
 namespace ew::test {
 
@@ -35,14 +34,13 @@ std::optional<ShapeInput> inputFor(const std::vector<Body>& bodies, const Surfac
 /// What is wrong with a shape as it would be exported.
 struct ShapeFaults {
     std::size_t badNormals = 0;       ///< not of unit length
-    std::size_t backwardNormals = 0;  ///< more than 90 degrees from their triangle's own
+    std::size_t backwardNormals = 0;  ///< more than 90 degrees from their triangle's own, as a
+                                      ///< surface has that bends more than its triangles: no fault
     ReadingFaults reading;
     std::size_t notManifold = 0;  ///< bodies whose triangles are not closed by index either
     std::size_t notMade = 0;      ///< shapes with a problem
 
-    bool any() const {
-        return badNormals + backwardNormals + notManifold + notMade > 0 || !reading.none();
-    }
+    bool any() const { return badNormals + notManifold + notMade > 0 || !reading.none(); }
     ShapeFaults& operator+=(const ShapeFaults& other);
 };
 ShapeFaults faultsOf(const ShapeInput& input, const DerivedShape& shape);
