@@ -180,8 +180,8 @@
         <translation>Die beiden Teile haben nichts gemeinsam.</translation>
     </message>
     <message>
-        <source>The new part misses the solid by less than a hair; this would leave a gap or a splinter that nobody can see.</source>
-        <translation>Das neue Teil verfehlt den Körper um weniger als eine Haaresbreite; es bliebe ein Spalt oder Splitter, den niemand sieht.</translation>
+        <source>Two parts would all but touch: a wall, gap or step thinner than a hair would be left that nobody can see. Make the new part a little larger or smaller.</source>
+        <translation>Zwei Teile würden sich beinahe berühren: es bliebe eine Wand, ein Spalt oder eine Stufe, dünner als ein Haar, die niemand sieht. Das neue Teil etwas größer oder kleiner zeichnen.</translation>
     </message>
     <message>
         <source>The solid would touch itself along an edge only. Make the new part a little larger or smaller.</source>
@@ -626,6 +626,10 @@
     <message>
         <source>There is nothing to export yet.</source>
         <translation>Es gibt noch nichts zu exportieren.</translation>
+    </message>
+    <message>
+        <source>In the single precision of this format the shape would not be closed: parts are too thin for it, or too far from the origin. Use .obj or .ply, or change the shape.</source>
+        <translation>In der einfachen Genauigkeit dieses Formats wäre die Form nicht geschlossen: Teile sind zu dünn dafür oder zu weit vom Ursprung entfernt. Verwenden Sie .obj oder .ply, oder ändern Sie die Form.</translation>
     </message>
     <message>
         <source>The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf.</source>

@@ -92,8 +92,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Nothing of the solid would be left."),
     QT_TRANSLATE_NOOP("Core", "The two parts have nothing in common."),
     QT_TRANSLATE_NOOP("Core",
-                      "The new part misses the solid by less than a hair; this would leave a gap "
-                      "or a splinter that nobody can see."),
+                      "Two parts would all but touch: a wall, gap or step thinner than a hair "
+                      "would be left that nobody can see. Make the new part a little larger or "
+                      "smaller."),
     QT_TRANSLATE_NOOP("Core",
                       "The solid would touch itself along an edge only. Make the new part a little "
                       "larger or smaller."),
@@ -139,6 +140,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "There is no surface under the strokes."),
     QT_TRANSLATE_NOOP("Core", "There is no stroke on the surface."),
     QT_TRANSLATE_NOOP("Core", "There is nothing to export yet."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "In the single precision of this format the shape would not be closed: parts "
+        "are too thin for it, or too far from the origin. Use .obj or .ply, or change "
+        "the shape."),
     QT_TRANSLATE_NOOP("Core",
                       "The extension %1 names no mesh format; use .obj, .stl, .ply, .glb or .3mf."),
     QT_TRANSLATE_NOOP("Core",

@@ -64,6 +64,11 @@ inline constexpr unsigned kMaxRealizedBits = 4096;
 /// misses the solid by rounding: what is meant to coincide coincides exactly, what can be drawn is
 /// a thousand times larger.
 inline constexpr double kSliverRelative = 1e-9;
+/// No change of a solid leaves a wall, gap or step thinner than this, relative, and what a drawing
+/// puts so near to a plane or a corner of the solid is meant to lie in it: a hundredth of a pixel
+/// in a drawing of a thousand, which nobody can draw, and some hundred steps of single precision,
+/// so that mesh files keep apart what is left apart.
+inline constexpr double kThinnestRelative = 1e-5;
 /// Longest exact coordinate that a boolean may produce [bits]. What coincides by exact constraints
 /// stays far below; only long chains of parts that each hang on slanted ones before come here.
 inline constexpr unsigned kMaxExactBits = 8192;
@@ -365,6 +370,13 @@ inline constexpr double kStrangeDirectionCost = 6.0;
 /// Where the two derivatives of a surface are parallel within this sine it has no normal of its
 /// own: a corner of a face that lies straight on a crease.
 inline constexpr double kNoNormalSine = 1e-9;
+
+/// A triangle has no area where it is no higher than this share of its longest side: its corners
+/// are on one line to rounding.
+inline constexpr double kNoAreaRatio = 1e-7;
+/// Two to four steps of single precision, as a share of the largest coordinate: heights of
+/// triangles below it are noise to a program that reads them so.
+inline constexpr double kSingleStep = 0x1p-22;
 
 /// Two edges lie on one line, and two faces in one plane, where they are this close [share of the
 /// solid's size; sine of the angle]: an exact boolean moves what it leaves by rounding only.

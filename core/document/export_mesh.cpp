@@ -18,6 +18,7 @@
 #include "core/document/export_gltf.h"
 #include "core/document/export_place.h"
 #include "core/document/file_bytes.h"
+#include "core/document/shape_reading.h"
 
 namespace ew {
 namespace {
@@ -349,12 +350,27 @@ std::optional<Result<std::string>> bytesFor(const std::string& extension,
     return std::nullopt;
 }
 
-/// STL has one origin for all bodies and single precision only.
+/// STL has one origin for all bodies and single precision only. A body of .glb has its own, and of
+/// .3mf, whose digits slicers keep in single precision.
 Result<void> checkFormat(const std::string& extension, const WorldMeshes& meshes) {
-    if (extension != ".stl") return {};
-    return checkReach(meshes, tol::kSinglePrecisionReach,
-                      "The bodies lie too far apart for the single precision of STL; export them "
-                      "as OBJ, 3MF or glTF.");
+    if (extension == ".stl") {
+        auto ok = checkReach(meshes, tol::kSinglePrecisionReach,
+                             "The bodies lie too far apart for the single precision of STL; export "
+                             "them as OBJ, 3MF or glTF.");
+        if (!ok) return ok;
+    }
+    if (extension == ".obj" || extension == ".ply") return {};
+    for (const WorldMesh& body : meshes.bodies) {
+        const bool ownOrigin = extension != ".stl";
+        if (readsAsClosed(ownOrigin ? atOwnOrigin(body.points) : body.points, body.triangles)) {
+            continue;
+        }
+        return fail(Errc::NotClosed,
+                    "In the single precision of this format the shape would not be closed: parts "
+                    "are too thin for it, or too far from the origin. Use .obj or .ply, or change "
+                    "the shape.");
+    }
+    return {};
 }
 
 /// What the person is told of a file with an origin of its own.

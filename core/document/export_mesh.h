@@ -35,7 +35,8 @@ struct MeshSource {
 /// too. The file appears whole or not at all. \param path  UTF-8. \return a sentence for the
 /// person, or nothing. Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite,
 /// BadValue for a pose that is not finite or coordinates that the format cannot hold closely
-/// enough, shape.problem where the shape could not be made.
+/// enough, NotClosed where readers of .stl, .glb and .3mf, which have single precision, would find
+/// the shape open or without area, shape.problem where the shape could not be made.
 Result<std::string> exportShape(const MeshSource& source, const std::string& path,
                                 ExportFaces faces = ExportFaces::Simple);
 

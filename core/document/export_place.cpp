@@ -33,4 +33,13 @@ Vec3 fileOrigin(const Extent& extent) {
     return (middle / step).array().round().matrix() * step;
 }
 
+std::vector<Vec3> atOwnOrigin(std::span<const Vec3> points) {
+    Extent extent;
+    extent.add(points);
+    const Vec3 origin = fileOrigin(extent);
+    std::vector<Vec3> out(points.begin(), points.end());
+    for (Vec3& p : out) p -= origin;
+    return out;
+}
+
 }  // namespace ew

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "core/base/vec.h"
 
@@ -23,5 +24,8 @@ struct Extent {
 /// Where the origin of a mesh file is put, so that single precision holds what is in this box: the
 /// world's origin where that is near enough, else a round place in the middle of the box.
 Vec3 fileOrigin(const Extent& extent);
+
+/// The same points from the fileOrigin of their box.
+std::vector<Vec3> atOwnOrigin(std::span<const Vec3> points);
 
 }  // namespace ew

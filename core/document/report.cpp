@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/document/shape_reading.h"
+
 namespace ew {
 
 using Json = nlohmann::ordered_json;
@@ -106,7 +108,7 @@ Json solidJson(const std::vector<Body>& bodies) {
             {"faces", s.faces},
             {"shells", s.shells},
             {"genus", s.genus},
-            {"closed", true},  // a Solid is closed, or it would not be
+            {"closed", readsAsClosed(bodies, std::vector<BodyShape>(bodies.size()))},
             {"volume", s.volume},
             {"area", s.area},
             {"bounds", {vec(s.bounds[0]), vec(s.bounds[1])}},
@@ -122,7 +124,8 @@ Json surfaceJson(const Document& document) {
     std::size_t triangles = 0;
     double volume = 0.0;
     double deviation = 0.0;
-    if (hasSurface || shape->hasCage()) {
+    const bool any = hasSurface || shape->hasCage();
+    if (any) {
         for (std::size_t b = 0; b < state.bodies.size(); ++b) {
             // A surface may be large: it is read where it is. Its pose changes no volume.
             if (const auto& surface = shape->bodies[b].surface) {
@@ -147,9 +150,9 @@ Json surfaceJson(const Document& document) {
                            {"limiting_edge", c.limitingEdge},
                            {"limiting_vertex", c.limitingVertex}});
     }
-    // Closed because fillet() and subdivide() check it, or there would be none.
+    const bool closed = !any || readsAsClosed(state.bodies, shape->bodies);
     return {{"triangles", triangles},
-            {"closed", true},
+            {"closed", closed},
             {"volume", volume},
             {"max_deviation", deviation},
             {"kind", hasSurface         ? "surface"

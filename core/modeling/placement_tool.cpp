@@ -28,6 +28,8 @@ bool finishTool(Placement& p, const Template& tmpl, const ModelView& model) {
     if (volume < 0) {
         for (auto& loop : tool.shape.faces) std::reverse(loop.begin(), loop.end());
     }
+    // What is nearer to the solid's planes and corners than anybody can draw lies in them.
+    tool.snap = true;
     for (const auto& pair : p.coinciding) {
         tool.faces.push_back({pair[0], ToolFaceRule::Kind::InFace, pair[1]});
     }

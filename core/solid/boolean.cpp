@@ -6,6 +6,7 @@
 #include "core/base/tolerance.h"
 #include "core/solid/brep.h"
 #include "core/solid/face_tracer.h"
+#include "core/solid/near_miss.h"
 #include "core/solid/reassemble.h"
 #include "core/solid/simplify.h"
 
@@ -34,8 +35,8 @@ Unexpected<Error> noChange(BooleanKind kind) {
 
 Unexpected<Error> sliver() {
     return fail(Errc::Sliver,
-                "The new part misses the solid by less than a hair; this would leave a gap or a "
-                "splinter that nobody can see.");
+                "Two parts would all but touch: a wall, gap or step thinner than a hair would be "
+                "left that nobody can see. Make the new part a little larger or smaller.");
 }
 
 /// A corner of one solid that all but lies in a face of the other.
@@ -154,6 +155,25 @@ class Combiner {
         return {};
     }
 
+    /// Does the change bring parts so near to each other that they should touch or keep apart?
+    /// What the solid had before is not the change's doing.
+    bool allButMeets(const ChangedBrep& changed) const {
+        std::vector<Vec3> points;
+        points.reserve(changed.brep.points.size());
+        for (const Point3& p : changed.brep.points) points.push_back(rounded(p));
+        const double reach = tol::kThinnestRelative * sizeOf(points);
+        const auto places = nearMisses(points, changed.brep.faces, changed.changed, reach);
+        if (places.empty()) return false;
+        std::vector<FaceLoops> before;
+        for (const SolidFace& face : target_.solid().faces) before.push_back(face.loops);
+        const auto known =
+            nearMisses(target_.solid().vertices, before, changed.changed, 2.0 * reach);
+        return std::any_of(places.begin(), places.end(), [&](const Vec3& p) {
+            return std::none_of(known.begin(), known.end(),
+                                [&](const Vec3& q) { return (p - q).norm() <= 2.0 * reach; });
+        });
+    }
+
     Result<BooleanOutcome> build() {
         ChangedBrep changed;
         const auto& before = target_.solid().faces;
@@ -171,6 +191,7 @@ class Combiner {
         if (auto ok = number(changed); !ok) return fail(ok.error());
         for (const TracedFace& face : faces_) changed.brep.faces.push_back(face.loops);
         changed.changed = target_.reach();
+        if (allButMeets(changed)) return sliver();
         std::vector<int> same = changed.sameAs;
         auto impl = reassembleSimplified(target_.solid(), std::move(changed));
         if (!impl) return fail(impl.error());

@@ -45,10 +45,11 @@ struct BooleanOutcome {
 ///
 /// Several shells are allowed: an Add of a separate body, a Cut that severs (see the report).
 /// Errors: NoChange (the result would be the target), NothingLeft, TouchesInEdge and TouchesInPoint
-/// (the result would touch itself there only), Sliver (parts thinner than tol::kSliverRelative of
-/// the size: the tool misses something by a rounding error), TooLarge for coordinates longer than
-/// tol::kMaxExactBits.
-/// Cost: O(faces) plus the work where the two boxes overlap.
+/// (the result would touch itself there only), Sliver (the result would all but touch itself: a
+/// wall, gap or step thinner than tol::kThinnestRelative of its size that the target did not have;
+/// or the tool misses something by a rounding error, tol::kSliverRelative), TooLarge for
+/// coordinates longer than tol::kMaxExactBits. Cost: O(faces) plus the work where the two boxes
+/// overlap.
 Result<BooleanOutcome> combine(const Solid& target, const Solid& tool, BooleanKind kind);
 
 }  // namespace ew

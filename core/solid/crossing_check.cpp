@@ -3,121 +3,43 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 
 #include "core/base/tolerance.h"
+#include "core/solid/side_face_pairs.h"
 
 namespace ew {
 namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-struct Side {
-    int a = -1, b = -1;
-    std::array<int, 2> faces{-1, -1};
-    Box3 box;
-};
-
-struct Candidate {
-    int face = -1;
-    Box3 box;
-};
-
 class Crossings {
   public:
     Crossings(const ExactBrep& brep, const FacePlanes& planes, const Box3* within)
-        : brep_(brep), planes_(planes), within_(within) {
-        rounded_.reserve(brep.points.size());
-        for (const Point3& p : brep.points) rounded_.push_back(rounded(p));
-        facesAt_.resize(brep.points.size());
-    }
+        : brep_(brep),
+          planes_(planes),
+          rounded_(roundedPoints(brep)),
+          pairs_(rounded_, brep.faces, within, 0.0) {}
 
     Result<void> run() {
-        collect();
-        // A sweep along x: whatever begins meets what has begun and not ended.
-        std::sort(sides_.begin(), sides_.end(), ByStart());
-        std::sort(faces_.begin(), faces_.end(), ByStart());
-        std::vector<const Side*> openSides;
-        std::vector<const Candidate*> openFaces;
-        std::size_t s = 0;
-        std::size_t f = 0;
-        while (s < sides_.size() || f < faces_.size()) {
-            const bool side =
-                f == faces_.size() || (s < sides_.size() && ByStart()(sides_[s], faces_[f]));
-            if (side) {
-                const Side& now = sides_[s++];
-                dropPassed(openFaces, now.box);
-                for (const Candidate* face : openFaces) {
-                    if (now.box.intersects(face->box) && meet(now, *face)) return found();
-                }
-                openSides.push_back(&now);
-            } else {
-                const Candidate& now = faces_[f++];
-                dropPassed(openSides, now.box);
-                for (const Side* other : openSides) {
-                    if (now.box.intersects(other->box) && meet(*other, now)) return found();
-                }
-                openFaces.push_back(&now);
-            }
-        }
+        const auto visit = [this](const Side& side, const Face& face) { return meet(side, face); };
+        if (pairs_.any(visit)) return found();
         return {};
     }
 
   private:
-    struct ByStart {
-        template <class A, class B>
-        bool operator()(const A& a, const B& b) const {
-            return a.box.min().x() < b.box.min().x();
-        }
-    };
-    template <class T>
-    static void dropPassed(std::vector<const T*>& open, const Box3& now) {
-        std::erase_if(open, [&](const T* t) { return t->box.max().x() < now.min().x(); });
-    }
+    using Side = SideFacePairs::Side;
+    using Face = SideFacePairs::Face;
 
-    void collect() {
-        std::unordered_map<std::uint64_t, std::size_t> known;
-        for (std::size_t f = 0; f < brep_.faces.size(); ++f) {
-            Candidate face;
-            face.face = static_cast<int>(f);
-            for (const int v : brep_.faces[f][0]) face.box.extend(rounded_[idx(v)]);
-            if (within_ && !within_->intersects(face.box)) continue;
-            faces_.push_back(face);
-            for (const std::vector<int>& loop : brep_.faces[f]) {
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    const int a = loop[i];
-                    const int b = loop[i + 1 < loop.size() ? i + 1 : 0];
-                    facesAt_[idx(a)].push_back(face.face);
-                    addSide(a, b, face.face, known);
-                }
-            }
-        }
-    }
-
-    void addSide(int a, int b, int face, std::unordered_map<std::uint64_t, std::size_t>& known) {
-        Side side;
-        side.box.extend(rounded_[idx(a)]);
-        side.box.extend(rounded_[idx(b)]);
-        if (within_ && !within_->intersects(side.box)) return;
-        const auto low = static_cast<std::uint64_t>(std::min(a, b));
-        const auto key = (low << 32U) | static_cast<std::uint64_t>(std::max(a, b));
-        const auto [it, fresh] = known.emplace(key, sides_.size());
-        if (!fresh) {
-            sides_[it->second].faces[1] = face;
-            return;
-        }
-        side.a = a;
-        side.b = b;
-        side.faces[0] = face;
-        sides_.push_back(side);
+    static std::vector<Vec3> roundedPoints(const ExactBrep& brep) {
+        std::vector<Vec3> out;
+        out.reserve(brep.points.size());
+        for (const Point3& p : brep.points) out.push_back(rounded(p));
+        return out;
     }
 
     PointView point(int v) const { return {&brep_.points[idx(v)], rounded_[idx(v)]}; }
     const RPlane& plane(int face) const { return *planes_[idx(face)]; }
-    bool isCorner(int face, int v) const {
-        const auto& list = facesAt_[idx(v)];
-        return std::find(list.begin(), list.end(), face) != list.end();
-    }
+    bool isCorner(int face, int v) const { return pairs_.isCorner(face, v); }
     bool holds(int face, const PointView& p) const {
         const InFace at = locateInLoops(brep_.faces[idx(face)], plane(face).axis, p,
                                         [this](int v) { return point(v); });
@@ -129,9 +51,8 @@ class Crossings {
     }
 
     /// Does a side meet a face in anything but corners of the face?
-    bool meet(const Side& side, const Candidate& other) {
+    bool meet(const Side& side, const Face& other) {
         const int face = other.face;
-        if (side.faces[0] == face || side.faces[1] == face) return false;
         culprits_ = {side.faces[0], face};
         if (coplanar(side.faces[0], face) ||
             (side.faces[1] >= 0 && coplanar(side.faces[1], face))) {
@@ -201,11 +122,8 @@ class Crossings {
 
     const ExactBrep& brep_;
     const FacePlanes& planes_;
-    const Box3* within_;
     std::vector<Vec3> rounded_;
-    std::vector<std::vector<int>> facesAt_;
-    std::vector<Side> sides_;
-    std::vector<Candidate> faces_;
+    SideFacePairs pairs_;
     std::array<int, 2> culprits_{-1, -1};
 };
 

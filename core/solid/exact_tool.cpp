@@ -173,7 +173,7 @@ Result<void> addEdgeRule(const TargetGeometry& target, const PolyhedronSpec& sha
 ToolSpec snapped(const Solid& target, const ToolSpec& spec) {
     ToolSpec out = spec;
     const double near =
-        tol::kToolSnap * std::max(sizeOf(spec.shape.vertices), sizeOf(target.vertices()));
+        tol::kThinnestRelative * std::max(sizeOf(spec.shape.vertices), sizeOf(target.vertices()));
     for (std::size_t f = 0; f < spec.shape.faces.size(); ++f) {
         const auto& loop = spec.shape.faces[f];
         const Vec3 normal = newellNormal(spec.shape.vertices, loop);
@@ -252,7 +252,11 @@ Result<Solid> makeTool(const Solid& target, const ToolSpec& spec) {
                 return fail(Errc::BadValue, "A corner of the tool is not a usable number.");
             }
         }
-        return made(target, spec.snap ? snapped(target, spec) : spec);
+        if (!spec.snap) return made(target, spec);
+        auto tool = made(target, snapped(target, spec));
+        // What is so near need not fit together.
+        if (tool || tool.error().code != Errc::Contradiction) return tool;
+        return made(target, spec);
     } catch (const std::exception& e) {
         return fail(Errc::Internal, std::string("The tool could not be made: ") + e.what());
     }

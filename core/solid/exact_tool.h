@@ -61,8 +61,9 @@ struct ToolSpec {
     std::vector<ToolFaceRule> faces;
     std::vector<ToolVertexRule> vertices;
     std::vector<ToolEdgeRule> edges;
-    /// Adds rules for what the doubles show within tol::kToolSnap of the size: faces in a plane of
-    /// the target or parallel to one, corners on its corners.
+    /// Adds rules for what the doubles show within tol::kThinnestRelative of the size, as far as
+    /// they do not contradict the others: faces in a plane of the target or parallel to one (sine
+    /// up to tol::kToolSnap), corners on its corners.
     bool snap = false;
 };
 

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/surface/side_key.h"
+#include "core/surface/surface_diagonal.h"
 
 namespace ew {
 namespace {
@@ -16,7 +17,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class ChordFlips {
   public:
-    explicit ChordFlips(SurfaceMesh& surface) : surface_(surface) {}
+    explicit ChordFlips(SurfaceMesh& surface) : surface_(surface) {
+        double farthest = 0.0;
+        for (const Vec3& p : surface.positions)
+            farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+        leastHeight_ = leastHeight(farthest);
+    }
 
     /// \return whether anything was flipped.
     bool pass() {
@@ -31,7 +37,7 @@ class ChordFlips {
   private:
     using Ids = std::array<int, 3>;
 
-    /// A triangle that runs backwards, and which of its sides is the longest.
+    /// A triangle that runs backwards or has no area, and which of its sides is the longest.
     struct Flip {
         std::size_t triangle = 0;
         std::size_t side = 0;
@@ -45,8 +51,11 @@ class ChordFlips {
     const Vec3& point(int i) const { return surface_.positions[at(i)]; }
     Vec3 normal(int i) const { return surface_.normals[at(i)].cast<double>(); }
 
-    /// 1: by all its normals the triangle faces outwards, -1: inwards, 0: they do not agree.
+    /// 1: by all its normals the triangle faces outwards, -1: inwards or nowhere, 0: they do not
+    /// agree.
     int facing(const Ids& corners, const Ids& normals) const {
+        if (!hasArea(point(corners[0]), point(corners[1]), point(corners[2]), leastHeight_))
+            return -1;
         const Vec3 area =
             (point(corners[1]) - point(corners[0])).cross(point(corners[2]) - point(corners[0]));
         int outwards = 0;
@@ -151,6 +160,7 @@ class ChordFlips {
     }
 
     SurfaceMesh& surface_;
+    double leastHeight_ = 0.0;  ///< of a triangle [mm]
     bool isFirst_ = true;
     std::vector<Flip> flips_;
     std::unordered_map<std::uint64_t, int> beyond_;  ///< by side: the triangle that has it
@@ -160,8 +170,9 @@ class ChordFlips {
 
 }  // namespace
 
-void flipCrossingChords(SurfaceMesh& surface) {
-    constexpr int kPasses = 4;
+void flipBadTriangles(SurfaceMesh& surface) {
+    // A row of points on one line is undone from its ends, one triangle a pass.
+    constexpr int kPasses = 64;
     ChordFlips flips(surface);
     for (int pass = 0; pass < kPasses && flips.pass(); ++pass) {
     }

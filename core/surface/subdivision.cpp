@@ -7,6 +7,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/base/tolerance.h"
 #include "core/surface/cage_edges.h"
 #include "core/surface/chord_flips.h"
 #include "core/surface/congruent_faces.h"
@@ -58,6 +59,11 @@ class Tessellator {
     Result<SurfaceMesh> run() {
         if (auto ok = chooseRates(); !ok) return fail(ok.error());
         if (auto ok = reserve(); !ok) return fail(ok.error());
+        Eigen::AlignedBox3d box;
+        for (const Vec3& p : cage_.mesh.points) box.extend(p);
+        room_ = tol::kSamePlaneRelative * box.diagonal().norm();
+        leastHeight_ =
+            leastHeight(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
         vertexPositions_.assign(cage_.mesh.points.size(), -1);
         vertexNormals_.assign(cage_.mesh.points.size(), -1);
         edgePositions_.assign(at(edges_.count()), -1);
@@ -68,7 +74,7 @@ class Tessellator {
         }
         mendNormals();
         unfoldFlatParts(cage_, out_);
-        if (adaptive()) flipCrossingChords(out_);
+        flipBadTriangles(out_);
         return std::move(out_);
     }
 
@@ -266,6 +272,8 @@ class Tessellator {
 
     void evaluate(std::size_t i, Vec3& position, Vec3& normal) {
         if (!evaluator_.evaluate(i, position, normal)) lost_ = true;
+        // A corner straight on a crease; the plane that the surface lies in has a normal there too.
+        if (normal.isZero(0.0) && evaluator_.inPlane(face_, room_)) normal = faceNormal_;
         // Beside slivers of a planar face the parameters of its surface may run backwards. The
         // surface is in the plane all the same, and so has its normal.
         if (normal.dot(faceNormal_) < -kBackwards) normal = -normal;
@@ -273,6 +281,7 @@ class Tessellator {
 
     void addFace(int f) {
         const SurfacePattern& p = *cuts_[at(f)].pattern;
+        face_ = f;
         evaluator_.begin(f, p.coords, *cuts_[at(f)].weights);
         faceNormal_ = loopAreaVector(cage_.mesh.points, cage_.mesh.outline(f)).normalized();
         slots_.assign(p.coords.size(), {-1, -1});
@@ -375,13 +384,26 @@ class Tessellator {
             return SurfacePoint{out_.positions[at(slot.position)],
                                 out_.normals[at(slot.normal)].cast<double>()};
         };
-        if (turnsLess(corner(0), corner(2), corner(1), corner(3))) {
+        if (splitsAt02(corner)) {
             emit(q[0], q[1], q[2]);
             emit(q[0], q[2], q[3]);
         } else {
             emit(q[0], q[1], q[3]);
             emit(q[1], q[2], q[3]);
         }
+    }
+
+    /// Where a corner lies straight between two others only the diagonal that begins at it leaves
+    /// two triangles with an area.
+    template <class Corner>
+    bool splitsAt02(const Corner& corner) const {
+        const std::array<SurfacePoint, 4> c{corner(0), corner(1), corner(2), corner(3)};
+        const auto good = [&](std::size_t i, std::size_t j, std::size_t k) {
+            return hasArea(c[i].position, c[j].position, c[k].position, leastHeight_);
+        };
+        const bool first = good(0, 1, 2) && good(0, 2, 3);
+        const bool second = good(0, 1, 3) && good(1, 2, 3);
+        return first == second ? turnsLess(c[0], c[2], c[1], c[3]) : first;
     }
 
     static constexpr double kBackwards = 0.999;  ///< cosine; no curved face turns so far
@@ -395,7 +417,10 @@ class Tessellator {
     std::map<std::vector<int>, SurfacePattern> patterns_;
     std::map<std::pair<int, const SurfacePattern*>, PointWeights> weights_;  ///< first: class
     std::vector<Cut> cuts_;                                                  ///< by face
+    int face_ = -1;                                                          ///< under way
     Vec3 faceNormal_ = Vec3::Zero();  ///< unit, of the control polygon
+    double room_ = 0.0;               ///< what counts as in a plane [mm]
+    double leastHeight_ = 0.0;        ///< of a triangle [mm]
     bool lost_ = false;               ///< a face had no surface
     std::vector<int> key_;
     FaceSamples samples_;

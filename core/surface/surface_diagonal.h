@@ -5,9 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tolerance.h"
 #include "core/base/vec.h"
 
 namespace ew {
+
+/// Is a triangle higher over its longest side than `least`, and than rounding makes it? [mm]
+inline bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c, double least) {
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double area = (b - a).cross(c - a).norm();
+    return area > tol::kNoAreaRatio * longest && area > least * std::sqrt(longest);
+}
+
+/// Heights below this are lost in single precision, in which surfaces are exported [mm].
+/// \param farthest  largest coordinate [mm].
+inline double leastHeight(double farthest) { return 2.0 * tol::kSingleStep * farthest; }
 
 /// A point of a surface.
 struct SurfacePoint {

@@ -27,7 +27,7 @@ TEST(ChordFlips, ATriangleThatRunsBackwardsIsTurnedRound) {
     SurfaceMesh mesh = crossingChord();
     ASSERT_LT(area(mesh, 0), 0.0);
     const double sum = area(mesh, 0) + area(mesh, 1);
-    flipCrossingChords(mesh);
+    flipBadTriangles(mesh);
     ASSERT_EQ(mesh.triangles.size(), 2U);
     EXPECT_GT(area(mesh, 0), 0.0);
     EXPECT_GT(area(mesh, 1), 0.0);
@@ -40,11 +40,11 @@ TEST(ChordFlips, CreasesAndGoodTrianglesStay) {
     crease.normals = {Normal::UnitZ(), Normal::UnitZ(), Normal::UnitZ(), Normal::UnitX()};
     crease.normalTriangles = {{0, 1, 2}, {3, 3, 3}};
     const auto before = crease.triangles;
-    flipCrossingChords(crease);
+    flipBadTriangles(crease);
     EXPECT_EQ(crease.triangles, before);
     SurfaceMesh good = crossingChord();
     good.positions[2].y() = 0.1;
-    flipCrossingChords(good);
+    flipBadTriangles(good);
     EXPECT_EQ(good.triangles, before);
 }
 
