@@ -87,7 +87,7 @@ Result<void> render(const RenderCall& call, const QString& display) {
 
 }  // namespace
 
-Result<void> takeScreenshot(Document& document, const Picture& picture) {
+Result<void> takeScreenshot(const Document& document, const Picture& picture) {
     RenderCall call;
     call.program = QCoreApplication::applicationDirPath() + "/edgewright-render";
     if (!QFileInfo(call.program).isExecutable()) {
@@ -99,7 +99,7 @@ Result<void> takeScreenshot(Document& document, const Picture& picture) {
         return fail(Errc::CannotWrite, "No temporary folder for the screenshot can be made.");
     }
     const QString copy = folder.filePath("document.edgewright");
-    if (auto ok = document.save(copy); !ok) return ok;
+    if (auto ok = document.saveCopy(copy); !ok) return ok;
     const QString size = QString("%1x%2").arg(picture.size.width()).arg(picture.size.height());
     call.arguments = {copy, picture.path, size};
     call.arguments << lookOptions(picture.look);

@@ -21,6 +21,6 @@ struct Picture {
 /// Draws the viewport of a document into a file with the program edgewright-render beside this
 /// one, on the display there is, else on a virtual one (Xvfb) for the time of the call.
 /// Errors: NotAvailable (no such program, no display and no Xvfb), CannotWrite, Internal.
-Result<void> takeScreenshot(Document& document, const Picture& picture);
+Result<void> takeScreenshot(const Document& document, const Picture& picture);
 
 }  // namespace ew

@@ -3,6 +3,7 @@ find_package(Eigen3 CONFIG REQUIRED)  # CONFIG: CGAL brings a FindEigen3 without
 find_package(nlohmann_json REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(CGAL REQUIRED)
+find_package(SQLite3 REQUIRED)
 find_package(Qt6 REQUIRED COMPONENTS Core Gui)
 if(EDGEWRIGHT_UI)
     find_package(Qt6 REQUIRED COMPONENTS Widgets OpenGL OpenGLWidgets Svg LinguistTools)

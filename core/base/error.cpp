@@ -119,6 +119,10 @@ std::string_view errcName(Errc code) {
             return "not-available";
         case Errc::Internal:
             return "internal";
+        case Errc::Damaged:
+            return "damaged";
+        case Errc::InUse:
+            return "in-use";
     }
     return "internal";
 }

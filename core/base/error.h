@@ -75,6 +75,8 @@ enum class Errc {
     NoSolid,           ///< "no-solid": the step needs a solid and there is none
     NotAvailable,      ///< "not-available": this build cannot do it
     Internal,          ///< "internal": a library failed in a way no input should cause
+    Damaged,           ///< "damaged": the file's bytes were cut off or changed
+    InUse,             ///< "in-use": another process has the file open
 };
 
 /// Stable text of a code, e.g. "no-match".

@@ -199,8 +199,14 @@ bool Document::undoInk() {
     if (const int steps = d_->recorder.inkSteps(serial); steps > 0) {
         if (!d_->recorder.dropInk(serial)) d_->record(UndoStep{steps, true});
     } else {
-        // Of a file that was opened: such a change only ever adds strokes.
-        for (auto& [step, camera] : removalSteps(d_->ink, change->added, d_->view)) {
+        // Of a file of schema 1: such a change only ever adds strokes.
+        const auto& strokes = d_->ink.strokes();
+        std::vector<int> known = change->added;
+        std::erase_if(known, [&](int id) {
+            return std::none_of(strokes.begin(), strokes.end(),
+                                [&](const PendingStroke& s) { return s.id == id; });
+        });
+        for (auto& [step, camera] : removalSteps(d_->ink, known, d_->view)) {
             d_->recorder.record(std::move(step), {camera, d_->view.thresholds},
                                 serialOfRemoval(serial));
         }

@@ -22,6 +22,9 @@ class QUndoStack;
 
 namespace ew {
 
+struct DocumentFile;
+struct DocumentUpdate;
+
 /// The document's truth, as an immutable snapshot. Undo and redo swap snapshots.
 struct DocumentState {
     std::vector<Body> bodies;
@@ -216,10 +219,15 @@ class Document : public QObject {
     /// .edgewright gets it (filePath() tells). Errors: BadValue for a name of a script, TooLarge,
     /// CannotWrite.
     Result<void> save(const QString& wanted);
+    /// Writes the same into another file, and goes on with the one that it has.
+    Result<void> saveCopy(const QString& wanted) const;
     /// Replaces everything, history included; on error nothing changes.
     Result<void> open(const QString& path);
     void reset();
     QString filePath() const;
+    /// What the document is called in itself, whatever its file is called.
+    const std::string& title() const;
+    void setTitle(const std::string& title);
     /// Was the file written to or replaced by anyone else since it was opened or saved? False where
     /// it is gone: saving it then overwrites nothing.
     bool fileChangedByOthers() const;
@@ -231,6 +239,23 @@ class Document : public QObject {
 
     /// All that was done since the document was new, as a script that replays to this state.
     SketchScript recordedScript() const;
+
+    /// All that a file holds.
+    DocumentFile contents() const;
+
+    // For a working copy
+    // -----------------------------------------------------------------------------------------
+    /// What changed since the last call, or all that there is. One caller only.
+    DocumentUpdate takeUpdate(bool whole);
+    /// Another number whenever another document takes this one's place (open, reset).
+    long life() const;
+    /// Is it as it was when its life began?
+    bool untouched() const;
+    /// Takes over what a working copy held, with the changes that are in no file yet. \param path
+    /// of the document's file, or empty.
+    void restore(DocumentFile file, const QString& path);
+    /// A small picture of the document for lists, as PNG; kept with it.
+    void setThumbnail(std::string png);
 
   signals:
     void changed(ew::DocumentChange what);

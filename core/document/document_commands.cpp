@@ -21,14 +21,18 @@ StateCommand::StateCommand(Document::Private& document, const QString& name,
       english(name),
       before(std::move(stateBefore)),
       after(std::move(stateAfter)),
-      document_(document) {}
+      document_(document) {
+    place = document.stack.index();
+}
 
 void StateCommand::undo() {
+    document_.stepChanged(place);
     document_.state = before;
     inkAfter = document_.ink.restore(consumed, inkBefore);
 }
 
 void StateCommand::redo() {
+    document_.stepChanged(place);
     document_.state = after;
     document_.ink.consume(consumed, inkBefore, std::exchange(inkAfter, {}));
 }
@@ -44,6 +48,10 @@ void Document::Private::push(const QString& name, std::shared_ptr<const Document
     const bool tookInk = !consumed.empty();
     command->consumed = std::move(consumed);
     command->inkBefore = ink.takeHistory();
+    if (memory) {
+        const auto chosen = static_cast<std::size_t>(memory->outcome.chosen);
+        command->templateId = memory->outcome.interpretation.candidates[chosen].templateId;
+    }
     command->memory = std::move(memory);
     movingStack = true;
     stack.push(command);

@@ -1,82 +1,196 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/export_mesh.h"
 #include "core/document/file_names.h"
 #include "core/document/store.h"
-#include "core/stroke/suited_distance.h"
 
 namespace ew {
 
 namespace {
 
-/// In the order of drawing.
-std::vector<PendingStroke> merged(std::vector<PendingStroke> a,
-                                  const std::vector<PendingStroke>& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    std::sort(a.begin(), a.end(),
-              [](const PendingStroke& x, const PendingStroke& y) { return x.id < y.id; });
-    return a;
+StoredInk storedInk(const InkHistory& history) {
+    const auto ids = [](const std::vector<PendingStroke>& strokes) {
+        std::vector<int> out;
+        for (const PendingStroke& s : strokes) out.push_back(s.id);
+        std::sort(out.begin(), out.end());
+        return out;
+    };
+    StoredInk out;
+    for (const InkChange& c : history) {
+        std::vector<int> added = c.added;
+        std::sort(added.begin(), added.end());
+        out.push_back({c.serial, std::move(added), ids(c.removed), ids(c.withdrawn)});
+    }
+    return out;
 }
 
-/// What a command left of the ink that was drawn before it and since the command before.
-/// \param later  strokes that are pending now or were used later, by id.
-std::vector<PendingStroke> leftBy(const StateCommand& command,
-                                  const std::map<int, const PendingStroke*>& later) {
-    std::unordered_set<int> used;
-    for (const PendingStroke& p : command.consumed) used.insert(p.id);
-    std::vector<PendingStroke> left;
-    for (const InkChange& change : command.inkBefore) {
-        for (const int id : change.added) {
-            const auto found = later.find(id);
-            if (found != later.end() && !used.contains(id)) left.push_back(*found->second);
+/// Strokes by id.
+class Strokes {
+  public:
+    explicit Strokes(const std::vector<PendingStroke>& strokes) {
+        for (const PendingStroke& s : strokes) byId_.emplace(s.id, &s);
+    }
+    std::vector<PendingStroke> with(const std::vector<int>& ids) const {
+        std::vector<PendingStroke> out;
+        for (const int id : ids) out.push_back(*byId_.at(id));
+        return out;
+    }
+    InkHistory history(const StoredInk& stored) const {
+        InkHistory out;
+        for (const StoredInkChange& c : stored) {
+            out.push_back({c.serial, c.added, with(c.removed), with(c.withdrawn)});
+        }
+        return out;
+    }
+
+  private:
+    std::unordered_map<int, const PendingStroke*> byId_;
+};
+
+/// Collects strokes, each once, in the order of their ids.
+class StrokeCollector {
+  public:
+    /// \param leastId  those with smaller ids are left out.
+    explicit StrokeCollector(int leastId) : leastId_(leastId) {}
+    void add(const std::vector<PendingStroke>& strokes) {
+        for (const PendingStroke& s : strokes) {
+            if (s.id >= leastId_) found_.emplace(s.id, &s);
         }
     }
-    return merged(std::move(left), {});
-}
+    void add(const InkHistory& history) {
+        for (const InkChange& c : history) {
+            add(c.removed);
+            add(c.withdrawn);
+        }
+    }
+    std::vector<PendingStroke> strokes() const {
+        std::vector<PendingStroke> out;
+        for (const auto& [id, stroke] : found_) out.push_back(*stroke);
+        return out;
+    }
+
+  private:
+    int leastId_;
+    std::map<int, const PendingStroke*> found_;
+};
 
 }  // namespace
+
+void Document::Private::stepChanged(int place) {
+    newSteps.first = newSteps.end > newSteps.first ? std::min(newSteps.first, place) : place;
+    newSteps.end = std::max(newSteps.end, place + 1);
+}
+
+StoredCommand Document::Private::stored(const StateCommand& command) const {
+    StoredCommand out;
+    out.name = command.english.toStdString();
+    out.templateId = command.templateId;
+    out.key = command.key;
+    out.after = command.after;
+    for (const PendingStroke& s : command.consumed) out.consumed.push_back(s.id);
+    std::sort(out.consumed.begin(), out.consumed.end());
+    out.inkBefore = storedInk(command.inkBefore);
+    out.inkAfter = storedInk(command.inkAfter);
+    return out;
+}
+
+DocumentUpdate Document::Private::update(bool whole) const {
+    DocumentUpdate out;
+    DocumentFile& file = out.file;
+    out.whole = whole;
+    const int count = stack.count();
+    const int first = whole ? 0 : std::min(newSteps.first, count);
+    const int end = whole ? count : std::min(newSteps.end, count);
+    StrokeCollector strokes(whole ? 0 : writtenStrokes);
+    strokes.add(ink.strokes());
+    strokes.add(ink.done());
+    strokes.add(ink.undone());
+    for (int i = first; i < end; ++i) {
+        const auto* command = static_cast<const StateCommand*>(stack.command(i));
+        strokes.add(command->consumed);
+        strokes.add(command->inkBefore);
+        strokes.add(command->inkAfter);
+        file.commands.push_back(stored(*command));
+    }
+    const auto* oldest = count > 0 ? static_cast<const StateCommand*>(stack.command(0)) : nullptr;
+    file.first = oldest != nullptr ? oldest->before : state;
+    file.strokes = strokes.strokes();
+    file.index = stackIndex;
+    for (const PendingStroke& s : ink.strokes()) file.pending.push_back(s.id);
+    file.inkDone = storedInk(ink.done());
+    file.inkUndone = storedInk(ink.undone());
+    file.nextStrokeId = ink.nextId();
+    file.nextInkSerial = ink.nextSerial();
+    file.view = view;
+    file.automaticDistance = automaticDistance;
+    file.obliqueFactor = obliqueFactor;
+    file.title = recorder.title();
+    file.thumbnail = thumbnail;
+    const auto& entries = recorder.entries();
+    out.firstCommand = static_cast<std::size_t>(first);
+    out.commandCount = static_cast<std::size_t>(count);
+    out.entryCount = entries.size();
+    if (whole) {
+        file.script = entries;
+        file.takenBack = recorder.takenBack();
+    } else {
+        const Recorder::News& news = recorder.news();
+        out.firstEntry = news.firstEntry;
+        file.script.assign(entries.begin() + static_cast<std::ptrdiff_t>(news.firstEntry),
+                           entries.end());
+        for (const int serial : news.takenBack) {
+            const auto found = recorder.takenBack().find(serial);
+            auto& list = file.takenBack[serial];
+            if (found != recorder.takenBack().end()) list = found->second;
+        }
+    }
+    return out;
+}
 
 void Document::Private::adopt(DocumentFile file) {
     movingStack = true;
     stack.clear();
-    std::vector<PendingStroke> waiting = file.pending;
-    std::unordered_set<int> drawn;
+    const Strokes strokes(file.strokes);
     // Pushing runs each command, which leads through the states from first to last.
-    state = file.states.front();
-    for (std::size_t i = 0; i < file.commands.size(); ++i) {
-        auto* command = new StateCommand(*this, QString::fromStdString(file.commands[i].name),
-                                         file.states[i], file.states[i + 1]);
-        command->consumed = std::move(file.commands[i].consumed);
-        // Each stroke was drawn before the first step that used it or left it.
-        const auto known = [&](const PendingStroke& p) { return drawn.contains(p.id); };
-        std::vector<PendingStroke> before = merged(command->consumed, file.commands[i].left);
-        std::erase_if(before, known);
-        for (const PendingStroke& p : before) drawn.insert(p.id);
-        if (static_cast<int>(i) < file.index) std::erase_if(waiting, known);
-        command->inkBefore = ink.drawn(before);
+    state = file.first;
+    std::vector<StateCommand*> pushed;
+    for (StoredCommand& stored : file.commands) {
+        auto* command =
+            new StateCommand(*this, QString::fromStdString(stored.name), state, stored.after);
+        command->consumed = strokes.with(stored.consumed);
+        command->inkBefore = strokes.history(stored.inkBefore);
+        command->key = std::move(stored.key);
+        command->templateId = std::move(stored.templateId);
+        pushed.push_back(command);
         stack.push(command);
     }
     stack.setIndex(file.index);
+    for (std::size_t i = 0; i < pushed.size(); ++i) {
+        pushed[i]->inkAfter = strokes.history(file.commands[i].inkAfter);
+    }
     movingStack = false;
     stackIndex = file.index;
     stack.setClean();
 
-    state = file.states[static_cast<std::size_t>(file.index)];
-    ink.reset(std::move(file.pending), file.nextStrokeId, ink.drawn(waiting));
-    view = {file.camera, file.thresholds};
-    // What the strokes would have told was most likely told by them.
-    std::vector<Stroke> strokes;
-    for (const PendingStroke& s : ink.strokes()) strokes.push_back(s.stroke);
-    automaticDistance = view.thresholds.distancePx == suitedDistancePx(strokes);
+    state = file.stateAt(file.index);
+    ink.reset({strokes.with(file.pending), file.nextStrokeId, strokes.history(file.inkDone),
+               strokes.history(file.inkUndone), file.nextInkSerial});
+    view = file.view;
+    automaticDistance = file.automaticDistance;
     obliqueFactor = file.obliqueFactor;
-    recorder = Recorder::fromScript(file.script);
+    recorder =
+        Recorder::resumed(std::move(file.title), std::move(file.script), std::move(file.takenBack));
+    thumbnail = std::move(file.thumbnail);
+    newSteps = {0, stack.count()};
+    writtenStrokes = 0;
     reading.reset();
-    savedRevision = ++revision;
+    savedRevision = firstRevision = ++revision;
+    ++life;
     for (const DocumentChange what :
          {DocumentChange::Library, DocumentChange::Thresholds, DocumentChange::Camera,
           DocumentChange::Bodies, DocumentChange::Shape, DocumentChange::Ink,
@@ -85,36 +199,18 @@ void Document::Private::adopt(DocumentFile file) {
     }
 }
 
+DocumentFile Document::contents() const { return d_->update(true).file; }
+
+Result<void> Document::saveCopy(const QString& wanted) const {
+    const auto path = documentFileName(wanted);
+    if (!path) return fail(path.error());
+    return saveDocument(contents(), *path);
+}
+
 Result<void> Document::save(const QString& wanted) {
     const auto path = documentFileName(wanted);
     if (!path) return fail(path.error());
-    DocumentFile file;
-    const QUndoStack& stack = d_->stack;
-    for (int i = 0; i < stack.count(); ++i) {
-        const auto* command = static_cast<const StateCommand*>(stack.command(i));
-        file.states.push_back(command->before);
-        file.commands.push_back({command->english.toStdString(), command->consumed});
-        if (i + 1 == stack.count()) file.states.push_back(command->after);
-    }
-    std::map<int, const PendingStroke*> later;
-    const auto note = [&](const std::vector<PendingStroke>& strokes) {
-        for (const PendingStroke& p : strokes) later[p.id] = &p;
-    };
-    note(d_->ink.strokes());
-    for (int i = stack.count(); i-- > 0;) {
-        const auto* command = static_cast<const StateCommand*>(stack.command(i));
-        file.commands[static_cast<std::size_t>(i)].left = leftBy(*command, later);
-        note(command->consumed);
-    }
-    if (file.states.empty()) file.states.push_back(d_->state);
-    file.index = d_->stackIndex;
-    file.pending = d_->ink.strokes();
-    file.nextStrokeId = d_->ink.nextId();
-    file.camera = d_->view.camera;
-    file.thresholds = d_->view.thresholds;
-    file.obliqueFactor = d_->obliqueFactor;
-    file.script = recordedScript();
-    if (auto ok = saveDocument(file, *path); !ok) return ok;
+    if (auto ok = saveCopy(*path); !ok) return ok;
     d_->path = *path;
     d_->fileStamp = fileStamp(*path);
     d_->savedRevision = d_->revision;
@@ -138,13 +234,36 @@ void Document::reset() {
     DocumentFile empty;
     DocumentState first;
     first.library = d_->shipped;
-    empty.states.push_back(std::make_shared<const DocumentState>(std::move(first)));
-    empty.camera.width = d_->view.camera.width;
-    empty.camera.height = d_->view.camera.height;
+    empty.first = std::make_shared<const DocumentState>(std::move(first));
+    empty.view.camera.width = d_->view.camera.width;
+    empty.view.camera.height = d_->view.camera.height;
     d_->path.clear();
     d_->fileStamp.reset();
     d_->adopt(std::move(empty));
 }
+
+DocumentUpdate Document::takeUpdate(bool whole) {
+    DocumentUpdate update = d_->update(whole);
+    d_->newSteps = {};
+    d_->writtenStrokes = d_->ink.nextId();
+    d_->recorder.forgetNews();
+    return update;
+}
+
+long Document::life() const { return d_->life; }
+bool Document::untouched() const { return d_->revision == d_->firstRevision; }
+
+void Document::restore(DocumentFile file, const QString& path) {
+    d_->path = path;
+    d_->fileStamp = path.isEmpty() ? std::nullopt : fileStamp(path);
+    d_->adopt(std::move(file));
+    d_->touch();
+}
+
+const std::string& Document::title() const { return d_->recorder.title(); }
+void Document::setTitle(const std::string& title) { d_->recorder.setTitle(title); }
+
+void Document::setThumbnail(std::string png) { d_->thumbnail = std::move(png); }
 
 QString Document::filePath() const { return d_->path; }
 bool Document::fileChangedByOthers() const {

@@ -30,6 +30,8 @@ struct ApplyMemory {
     std::vector<int> strokeIds;                    ///< of the strokes that it was read from
 };
 
+class StateCommand;
+
 struct Document::Private {
     Private(Document& document, TemplateLibrary shippedLibrary, Interpreter reader);
 
@@ -49,6 +51,8 @@ struct Document::Private {
     // Modified: `revision` counts what a file would keep.
     long revision = 0;
     long savedRevision = 0;
+    long firstRevision = 0;  ///< when its life began
+    long life = 0;
 
     // The newest reading of the pending strokes, for one request.
     mutable std::optional<Interpretation> reading;
@@ -59,6 +63,14 @@ struct Document::Private {
     std::size_t memoryLimit = ShapeInput{}.memoryLimit;
     mutable std::shared_ptr<const DocumentState> shapeOf;
     mutable std::shared_ptr<const DerivedShape> shape;
+
+    /// Which steps of the history changed since the last update() for a working copy.
+    struct {
+        int first = 0;
+        int end = 0;  ///< one past the last
+    } newSteps;
+    int writtenStrokes = 0;  ///< strokes with smaller ids were in an update before
+    std::string thumbnail;   ///< PNG, or nothing
 
     // While Document itself moves the stack, its signal is not taken for the history panel's.
     bool movingStack = false;
@@ -99,6 +111,11 @@ struct Document::Private {
     void onStackMoved(int index);
     void stateChanged(const DocumentState& before);
     void adopt(DocumentFile file);
+    /// A step was pushed, done or undone.
+    void stepChanged(int place);
+    /// What a file needs to hold what changed since the last takeUpdate(), or all of it.
+    DocumentUpdate update(bool whole) const;
+    StoredCommand stored(const StateCommand& command) const;
 };
 
 /// One step of the history: exchanges two snapshots of the document and the ink it consumed.
@@ -111,7 +128,9 @@ class StateCommand : public QUndoCommand {
     void undo() override;
     void redo() override;
 
-    QString english;  ///< name, see shownStepName()
+    QString english;         ///< name, see shownStepName()
+    int place = 0;           ///< in the stack
+    std::string templateId;  ///< that an apply used
     std::shared_ptr<const DocumentState> before, after;
     std::vector<PendingStroke> consumed;
     InkHistory inkBefore;  ///< changes of the ink between the command before and this one

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/document/store_schema.h"
+
 namespace ew {
 
 namespace {
@@ -50,6 +52,7 @@ std::string_view contentWords(std::string_view bytes) {
         {"GIF8", "a picture"},
         {"%PDF", "a PDF document"},
         {"PK\x03\x04", "a ZIP package, as 3MF files are"},
+        {"SQLite format 3", "a database of another program"},
         {"glTF", "a glTF mesh"},
         {"ply\n", "a PLY mesh"},
         {"ply\r", "a PLY mesh"},
@@ -93,6 +96,10 @@ Result<QString> documentFileName(const QString& path) {
 }
 
 FileKind fileKind(std::string_view bytes) {
+    if (isDatabase(bytes)) {
+        const bool own = databaseHead(bytes).applicationId == schema::kApplicationId;
+        return own ? FileKind::Document : FileKind::Other;
+    }
     const std::string_view text = trimmed(bytes);
     if (!text.starts_with('{')) return FileKind::Other;
     // Both kinds of file name their format at their beginning; a script might also do it behind

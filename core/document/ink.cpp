@@ -121,22 +121,12 @@ InkHistory InkBoard::restore(const std::vector<PendingStroke>& returned, const I
     return std::exchange(undone_, {});
 }
 
-void InkBoard::reset(std::vector<PendingStroke> strokes, int nextId, InkHistory history) {
-    strokes_ = std::move(strokes);
-    nextId_ = nextId;
-    done_ = std::move(history);
-    undone_.clear();
-}
-
-InkHistory InkBoard::drawn(const std::vector<PendingStroke>& strokes) {
-    InkHistory history;
-    for (const PendingStroke& s : strokes) {
-        InkChange change;
-        change.serial = nextSerial_++;
-        change.added = {s.id};
-        history.push_back(std::move(change));
-    }
-    return history;
+void InkBoard::reset(Contents contents) {
+    strokes_ = std::move(contents.strokes);
+    nextId_ = contents.nextId;
+    done_ = std::move(contents.done);
+    undone_ = std::move(contents.undone);
+    nextSerial_ = contents.nextSerial;
 }
 
 }  // namespace ew

@@ -58,11 +58,20 @@ class InkBoard {
     /// it stay, newest. \return what could be done again after the command.
     InkHistory restore(const std::vector<PendingStroke>& returned, const InkHistory& before);
 
+    /// All changes that can be taken back, and those that can be done again (the last one first).
+    const InkHistory& done() const { return done_; }
+    const InkHistory& undone() const { return undone_; }
+    /// Greater than every serial.
+    int nextSerial() const { return nextSerial_; }
+
     /// Replaces everything (a document was opened).
-    /// \param history  the changes that can be undone.
-    void reset(std::vector<PendingStroke> strokes, int nextId, InkHistory history = {});
-    /// The changes that drew these strokes one by one, for a document that was opened.
-    InkHistory drawn(const std::vector<PendingStroke>& strokes);
+    struct Contents {
+        std::vector<PendingStroke> strokes;
+        int nextId = 0;
+        InkHistory done, undone;
+        int nextSerial = 0;
+    };
+    void reset(Contents contents);
 
   private:
     std::vector<PendingStroke> takeOut(const std::vector<int>& ids);

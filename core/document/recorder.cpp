@@ -46,6 +46,9 @@ bool Recorder::dropInk(int inkSerial) {
         first, entries_.end(), [&](const Entry& e) { return e.inkSerial != inkSerial; });
     taken.assign(std::make_move_iterator(rest), std::make_move_iterator(entries_.end()));
     entries_.erase(rest, entries_.end());
+    news_.firstEntry =
+        std::min(news_.firstEntry, static_cast<std::size_t>(first - entries_.begin()));
+    news_.takenBack.insert(inkSerial);
     return true;
 }
 
@@ -54,6 +57,7 @@ bool Recorder::putInkBack(int inkSerial) {
     if (found == dropped_.end()) return false;
     for (Entry& e : found->second) entries_.push_back(std::move(e));
     dropped_.erase(found);
+    news_.takenBack.insert(inkSerial);
     return true;
 }
 
@@ -108,6 +112,15 @@ Recorder Recorder::fromScript(const SketchScript& script) {
             recorder.record(step, view);
         }
     }
+    return recorder;
+}
+
+Recorder Recorder::resumed(std::string title, std::vector<Entry> entries,
+                           std::map<int, std::vector<Entry>> takenBack) {
+    Recorder recorder;
+    recorder.title_ = std::move(title);
+    recorder.entries_ = std::move(entries);
+    recorder.dropped_ = std::move(takenBack);
     return recorder;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/camera.h"
@@ -31,22 +33,40 @@ class Recorder {
     bool putInkBack(int inkSerial);
     /// How many steps an ink change has; in a script each is a change of its own.
     int inkSteps(int inkSerial) const;
-    /// Everything so far, ending with the view as it is now.
-    SketchScript script(const ViewSettings& now) const;
-
-    /// The recorder that had written this script.
-    static Recorder fromScript(const SketchScript& script);
-
-  private:
     struct Entry {
         ScriptStep step;
         ViewSettings view;
         int inkSerial = kNoInk;
     };
+    const std::vector<Entry>& entries() const { return entries_; }
+    /// The steps of ink changes that were taken back, by serial.
+    const std::map<int, std::vector<Entry>>& takenBack() const { return dropped_; }
+    const std::string& title() const { return title_; }
+    void setTitle(const std::string& title) { title_ = title; }
 
+    /// What changed since forgetNews(): entries from `firstEntry` on, and what is taken back of
+    /// some ink changes.
+    struct News {
+        std::size_t firstEntry = 0;
+        std::set<int> takenBack;  ///< serials
+    };
+    const News& news() const { return news_; }
+    void forgetNews() { news_ = {entries_.size(), {}}; }
+
+    /// Everything so far, ending with the view as it is now.
+    SketchScript script(const ViewSettings& now) const;
+
+    /// The recorder that had written this script.
+    static Recorder fromScript(const SketchScript& script);
+    /// One that goes on where another one stopped.
+    static Recorder resumed(std::string title, std::vector<Entry> entries,
+                            std::map<int, std::vector<Entry>> takenBack);
+
+  private:
     std::vector<Entry> entries_;
     std::map<int, std::vector<Entry>> dropped_;  // by ink serial
     std::string title_;
+    News news_;
 };
 
 /// The camera after a camera step (direction normalised unless it is a unit vector already), before

@@ -248,6 +248,7 @@ Result<QString> pathInside(const QString& folder, const QString& path) {
 
 Result<void> beginReplay(Document& document, const SketchScript& script) {
     document.reset();
+    document.setTitle(script.title);
     OrthographicCamera camera;
     camera.width = script.viewport[0];
     camera.height = script.viewport[1];

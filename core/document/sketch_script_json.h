@@ -10,6 +10,11 @@ namespace ew {
 /// readSketchScript on a parsed tree, for scripts inside native documents. Throws ReadError.
 SketchScript scriptFromJson(const nlohmann::json& value);
 
+/// One step as a JSON object on one line, and back. Reading throws ReadError; messages begin with
+/// the step's number.
+std::string stepJson(const ScriptStep& step);
+ScriptStep stepFromJson(const nlohmann::json& value, std::size_t index);
+
 /// Direction, up, center and world_per_pixel in plausible ranges. Throws ReadError (BadValue).
 CameraStep cameraFromJson(const nlohmann::json& value, const std::string& place);
 

@@ -269,7 +269,9 @@ const std::map<std::string_view, StepReader>& stepReaders() {
     return readers;
 }
 
-ScriptStep readStep(const json& value, std::size_t index) {
+}  // namespace
+
+ScriptStep stepFromJson(const json& value, std::size_t index) {
     const std::string number = "step " + std::to_string(index);
     const ObjectReader unnamed(value, number);
     const std::string& word = readString(unnamed.require("do"), unnamed.at("do"));
@@ -279,8 +281,6 @@ ScriptStep readStep(const json& value, std::size_t index) {
     }
     return found->second(ObjectReader(value, number + " (" + word + ")"));
 }
-
-}  // namespace
 
 double obliqueFactorFromJson(const json& value, const std::string& place) {
     return readRange(value, place, kMinObliqueFactor, kMaxObliqueFactor);
@@ -332,7 +332,8 @@ SketchScript scriptFromJson(const json& value) {
                   "script: more than " + std::to_string(kMaxScriptSteps) + " steps");
     }
     script.steps.reserve(steps.size());
-    for (std::size_t i = 0; i < steps.size(); ++i) script.steps.push_back(readStep(steps[i], i));
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        script.steps.push_back(stepFromJson(steps[i], i));
     return script;
 }
 

@@ -179,6 +179,15 @@ std::string cameraJson(const CameraStep& s) {
     return out;
 }
 
+std::string stepJson(const ScriptStep& step) {
+    std::string out = "{\"do\": \"";
+    out += stepName(step);
+    out += '"';
+    const std::string rest = std::visit([](const auto& s) { return body(s); }, step);
+    if (!rest.empty()) out += ", " + rest;
+    return out + '}';
+}
+
 std::string writeSketchScript(const SketchScript& script) {
     std::string out = "{\n  \"format\": \"edgewright-sketch\",\n  \"version\": 1,\n";
     if (!script.title.empty()) out += "  \"title\": " + jsonQuoted(script.title) + ",\n";
@@ -188,13 +197,9 @@ std::string writeSketchScript(const SketchScript& script) {
     out += "  \"steps\": [";
     bool first = true;
     for (const ScriptStep& step : script.steps) {
-        out += first ? "\n    {\"do\": \"" : ",\n    {\"do\": \"";
+        out += first ? "\n    " : ",\n    ";
         first = false;
-        out += stepName(step);
-        out += '"';
-        const std::string rest = std::visit([](const auto& s) { return body(s); }, step);
-        if (!rest.empty()) out += ", " + rest;
-        out += '}';
+        out += stepJson(step);
     }
     out += first ? "]\n}\n" : "\n  ]\n}\n";
     return out;

@@ -3,50 +3,96 @@
 
 #include <QString>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/document/document.h"
 #include "core/document/file_bytes.h"
+#include "core/document/recorder.h"
 
 namespace ew {
 
-/// One step of the history, between states[i] and states[i + 1].
+/// A change of the ink (InkChange) as files keep it: strokes by their ids.
+struct StoredInkChange {
+    int serial = 0;
+    std::vector<int> added, removed, withdrawn;
+    bool operator==(const StoredInkChange&) const = default;
+};
+using StoredInk = std::vector<StoredInkChange>;
+
+/// One step of the history.
 struct StoredCommand {
-    std::string name;                     ///< in English, whatever the window's language
-    std::vector<PendingStroke> consumed;  ///< ink that undoing it gives back
-    std::vector<PendingStroke> left;      ///< ink drawn before it, since the step before, that it
-                                          ///< did not use
+    std::string name;        ///< in English, whatever the window's language
+    std::string templateId;  ///< of the template that an apply used, else empty
+    std::string key;         ///< of a change of settings: what it changes
+    std::shared_ptr<const DocumentState> after;
+    std::vector<int> consumed;      ///< strokes that undoing it gives back
+    StoredInk inkBefore, inkAfter;  ///< as StateCommand has them
 };
 
-/// What a native document (.edgewright) holds: the whole history with every snapshot, the pending
-/// ink, the view and the recorded script.
+/// All that a native document (.edgewright) holds: the whole history with every state, the ink and
+/// its line of time, the view and the recorded script. Undo and redo of what is read back give what
+/// they would have given in the document that was written, to the bit.
 struct DocumentFile {
-    std::vector<std::shared_ptr<const DocumentState>> states;  ///< commands.size() + 1
+    std::vector<PendingStroke> strokes;          ///< all that anything here names
+    std::shared_ptr<const DocumentState> first;  ///< before the first command
     std::vector<StoredCommand> commands;
-    int index = 0;  ///< how many commands are done; states[index] is the state of the document
-    std::vector<PendingStroke> pending;
-    int nextStrokeId = 0;  ///< greater than every stroke id
-    OrthographicCamera camera;
-    Thresholds thresholds;
+    int index = 0;             ///< how many commands are done
+    std::vector<int> pending;  ///< strokes, in the order of drawing
+    StoredInk inkDone, inkUndone;
+    int nextStrokeId = 0;   ///< greater than every stroke id
+    int nextInkSerial = 0;  ///< greater than every serial
+    ViewSettings view;
+    bool automaticDistance = true;
     double obliqueFactor = 0.5;
-    SketchScript script;
+    std::string title;
+    std::vector<Recorder::Entry> script;
+    std::map<int, std::vector<Recorder::Entry>> takenBack;  ///< Recorder::takenBack()
+    std::string thumbnail;                                  ///< PNG, or nothing
+
+    const std::shared_ptr<const DocumentState>& stateAt(int commandsDone) const {
+        return commandsDone == 0 ? first
+                                 : commands[static_cast<std::size_t>(commandsDone) - 1].after;
+    }
 };
 
-inline constexpr std::size_t kMaxDocumentBytes = 256U << 20U;
+/// What a file must be told to be up to date again: a DocumentFile in which only some of the
+/// strokes, commands and script entries stand.
+struct DocumentUpdate {
+    DocumentFile file;
+    bool whole = false;            ///< everything stands in it
+    std::size_t firstCommand = 0;  ///< which one file.commands begins with; after them others may
+                                   ///< stand that are as they were
+    std::size_t commandCount = 0;
+    std::optional<bool> saved;   ///< in a working copy: is all of it in the document's file, too?
+    std::size_t firstEntry = 0;  ///< which one file.script begins with; it goes to the end
+    std::size_t entryCount = 0;
+};
 
-/// The document as JSON text (format "edgewright-document", version 1). Solids are kept through
-/// Solid::serialize, each distinct one once; numbers read back to the bit.
-std::string writeDocument(const DocumentFile& file);
+/// An update that makes an empty file hold all of this.
+DocumentUpdate wholeUpdate(DocumentFile file);
 
-/// Reads writeDocument's text. Everything is checked. Errors: TooLarge (over 256 MiB), TooDeep,
-/// Syntax, WrongFormat, WrongVersion, UnknownKey, MissingKey, WrongType, BadValue, and those of
-/// readTemplate, TemplateLibrary::with and Solid::deserialize; messages name the place in the file.
+/// Most bytes of a document, and of one in the JSON format of earlier versions (schema 1).
+inline constexpr std::size_t kMaxDocumentBytes = std::size_t{1} << 30U;
+inline constexpr std::size_t kMaxSchema1Bytes = 256U << 20U;
+
+/// The document as the bytes of a SQLite database, schema 2 (docs/document-format.md). Equal
+/// documents give equal bytes. Errors: TooMuchMemory.
+Result<std::string> writeDocument(const DocumentFile& file);
+
+/// Reads writeDocument's bytes, or the JSON text of schema 1. Everything is checked. Errors of
+/// both: TooLarge, Damaged, BadValue and those of readTemplate, TemplateLibrary::with and
+/// Solid::deserialize; WrongVersion, whose sentence says which version of the program reads the
+/// file; of schema 1 also TooDeep, Syntax, WrongFormat, UnknownKey, MissingKey, WrongType. Messages
+/// name the place in the file.
 /// \param shipped  the templates that every library starts with; where a template of the document
 ///                 has the same id, the document's takes its place.
-Result<DocumentFile> readDocument(std::string_view text, const TemplateLibrary& shipped);
+Result<DocumentFile> readDocument(const std::string& bytes, const TemplateLibrary& shipped);
 
 /// Writes atomically: the old file stands until the new one is whole. Errc::CannotWrite,
 /// Errc::TooLarge where the file could not be read back.

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/store_reader.h"
+
+#include <QByteArray>
 #include <algorithm>
 #include <limits>
-#include <map>
+#include <optional>
+#include <unordered_map>
 
-#include "core/base/tolerance.h"
-#include "core/document/json_text.h"
-#include "core/document/recorder.h"
 #include "core/document/sketch_script_json.h"
-#include "core/document/store.h"
+#include "core/document/store_blobs.h"
+#include "core/document/store_schema.h"
 #include "core/document/store_surface.h"
+#include "core/document/store_values.h"
 #include "core/tlib/template_io.h"
 
 namespace ew {
@@ -19,292 +22,412 @@ namespace {
 
 constexpr int kMaxInt = std::numeric_limits<int>::max();
 
-std::string item(const std::string& list, std::size_t i) { return list + "/" + std::to_string(i); }
-
-OrthographicCamera readCamera(const json& value, const std::string& place) {
-    const CameraStep step = cameraFromJson(value, place);
-    if (!step.direction || !step.up || !step.center || !step.worldPerPixel || !step.viewport) {
-        throwRead(Errc::MissingKey, place + ": a camera needs all of its keys");
-    }
-    const OrthographicCamera camera = withStep(OrthographicCamera{}, step);
-    if (auto ok = camera.validate(); !ok) {
-        throwRead(Errc::BadValue, place + ": " + ok.error().message);
-    }
-    return camera;
-}
-
-Stroke readSamples(const json& value, const std::string& place) {
-    const json::array_t& numbers = readArray(value, place);
-    constexpr std::size_t kPerSample = 4;
-    if (numbers.size() % kPerSample != 0) {
-        throwRead(Errc::BadValue, place + " must hold four numbers a sample");
-    }
-    Stroke stroke;
-    stroke.samples.reserve(numbers.size() / kPerSample);
-    for (std::size_t i = 0; i < numbers.size(); i += kPerSample) {
-        PenSample s;
-        s.position = {readNumber(numbers[i], place), readNumber(numbers[i + 1], place)};
-        s.pressure = readNumber(numbers[i + 2], place);
-        s.timeMs = readNumber(numbers[i + 3], place);
-        if (!(s.pressure >= 0 && s.pressure <= 1)) {
-            throwRead(Errc::BadValue, place + ": the pressure must be from 0 to 1");
-        }
-        stroke.samples.push_back(s);
-    }
-    if (auto ok = validateStroke(stroke); !ok) {
-        throwRead(ok.error().code, place + ": " + ok.error().message);
-    }
-    return stroke;
-}
-
-Pose readPose(const ObjectReader& body) {
-    Pose pose;
-    const std::string place = body.at("rotation");
-    const json::array_t& rows = readArray(body.require("rotation"), place);
-    if (rows.size() != 9) throwRead(Errc::BadValue, place + " must be a list of 9 numbers");
-    for (std::size_t i = 0; i < 9; ++i) {
-        pose.rotation(static_cast<int>(i / 3), static_cast<int>(i % 3)) =
-            readNumber(rows[i], item(place, i));
-    }
-    const Mat3 shouldBeOne = pose.rotation * pose.rotation.transpose();
-    // Written so that an overflow to infinity or NaN fails too.
-    if (!((shouldBeOne - Mat3::Identity()).cwiseAbs().maxCoeff() <= tol::kRotation) ||
-        pose.rotation.determinant() < 0) {
-        throwRead(Errc::BadValue, place + " is no rotation");
-    }
-    pose.translation = readVec3(body.require("translation"), body.at("translation"));
-    if (pose.translation.cwiseAbs().maxCoeff() > kMaxCenterMm) {
-        throwRead(Errc::BadValue, body.at("translation") + " is too far away");
-    }
-    return pose;
-}
-
-class DocumentReader {
+/// The fields of a row, by their place. Each throws ReadError where a field is of another kind.
+class Fields {
   public:
-    explicit DocumentReader(const TemplateLibrary& shipped) : shipped_(shipped) {}
-    DocumentFile read(const json& tree);
+    Fields(const Table& table, const Row& row) : row_(row) {
+        place_ = std::string(table.name);
+        for (int i = 0; i < table.keys; ++i) {
+            if (const auto* n = std::get_if<std::int64_t>(&row[static_cast<std::size_t>(i)])) {
+                place_ += " " + std::to_string(*n);
+            }
+        }
+    }
+    const std::string& place() const { return place_; }
+
+    bool isNothing(std::size_t i) const { return std::holds_alternative<std::monostate>(row_[i]); }
+    std::int64_t id(std::size_t i) const { return get<std::int64_t>(i); }
+    int number(std::size_t i, int least, int most) const {
+        const std::int64_t n = id(i);
+        if (n < least || n > most) throwRead(Errc::BadValue, place_ + ": a number is out of range");
+        return static_cast<int>(n);
+    }
+    double real(std::size_t i) const { return get<double>(i); }
+    const std::string& text(std::size_t i) const { return get<std::string>(i); }
+    const std::string& bytes(std::size_t i) const { return get<Bytes>(i).data; }
+    json tree(std::size_t i) const {
+        auto value = parseJson(text(i), {});
+        if (!value) throwRead(value.error().code, place_ + ": " + value.error().message);
+        return *std::move(value);
+    }
 
   private:
-    void readTables(const ObjectReader& file);
-    std::shared_ptr<const DocumentState> readState(const json& value, const std::string& place);
-    const TemplateLibrary& libraryFor(const std::vector<int>& templates, const std::string& place);
-    std::vector<MappedStroke> readMapped(const json& value, const std::string& place);
-    std::vector<PendingStroke> readStrokes(const json& value, const std::string& place);
-
-    const TemplateLibrary& shipped_;
-    TemplateLibrary base_;  ///< shipped, without those whose ids the document has taken
-    std::vector<Template> templates_;
-    std::vector<Solid> solids_;
-    std::vector<OrthographicCamera> cameras_;
-    std::vector<PendingStroke> strokes_;
-    std::map<std::vector<int>, TemplateLibrary> libraries_;
+    template <class T>
+    const T& get(std::size_t i) const {
+        const T* value = std::get_if<T>(&row_[i]);
+        if (value == nullptr) throwRead(Errc::WrongType, place_ + ": a value of another kind");
+        return *value;
+    }
+    const Row& row_;
+    std::string place_;
 };
 
-void DocumentReader::readTables(const ObjectReader& file) {
-    const json::array_t& templates = readArray(file.require("templates"), file.at("templates"));
-    for (std::size_t i = 0; i < templates.size(); ++i) {
-        auto tmpl = readTemplate(templates[i].dump(), item(file.at("templates"), i));
-        if (!tmpl) throw ReadError{std::move(tmpl).error()};
-        templates_.push_back(*std::move(tmpl));
+template <class Map>
+const auto& known(const Map& map, std::int64_t id, const std::string& place, const char* what) {
+    const auto found = map.find(id);
+    if (found == map.end()) {
+        throwRead(Errc::Damaged, place + ": there is no " + what + " " + std::to_string(id));
     }
-    const json::array_t& solids = readArray(file.require("solids"), file.at("solids"));
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const std::string place = item(file.at("solids"), i);
-        auto solid = Solid::deserialize(readString(solids[i], place));
-        if (!solid) throwRead(solid.error().code, place + ": " + solid.error().message);
-        solids_.push_back(*std::move(solid));
-    }
-    const json::array_t& cameras = readArray(file.require("cameras"), file.at("cameras"));
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        cameras_.push_back(readCamera(cameras[i], item(file.at("cameras"), i)));
-    }
-    const json::array_t& strokes = readArray(file.require("strokes"), file.at("strokes"));
-    const int cameraCount = static_cast<int>(cameras_.size());
-    std::map<int, bool> idTaken;
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        const ObjectReader s(strokes[i], item(file.at("strokes"), i));
-        s.allowOnly({"id", "camera", "samples"});
-        PendingStroke stroke;
-        stroke.id = readInt(s.require("id"), s.at("id"), 0, kMaxInt - 1);
-        const int camera = readInt(s.require("camera"), s.at("camera"), 0, cameraCount - 1);
-        stroke.camera = cameras_[static_cast<std::size_t>(camera)];
-        stroke.stroke = readSamples(s.require("samples"), s.at("samples"));
-        if (!idTaken.try_emplace(stroke.id, true).second) {
-            throwRead(Errc::DuplicateId, s.at("id") + " is taken by an earlier stroke");
-        }
-        strokes_.push_back(std::move(stroke));
-    }
+    return found->second;
 }
 
-const TemplateLibrary& DocumentReader::libraryFor(const std::vector<int>& templates,
-                                                  const std::string& place) {
-    if (templates.empty()) return base_;
-    const auto known = libraries_.find(templates);
-    if (known != libraries_.end()) return known->second;
-    // Histories add one template at a time, so that a shorter list is mostly known already.
-    std::vector<int> before = templates;
-    const TemplateLibrary* start = nullptr;
-    while (start == nullptr) {
-        before.pop_back();
-        const auto shorter = libraries_.find(before);
-        if (before.empty())
-            start = &base_;
-        else if (shorter != libraries_.end())
-            start = &shorter->second;
-    }
-    std::vector<Template> more;
-    for (std::size_t i = before.size(); i < templates.size(); ++i) {
-        more.push_back(templates_[static_cast<std::size_t>(templates[i])]);
-    }
-    auto library = start->withAll(std::move(more));
-    if (!library) throwRead(library.error().code, place + ": " + library.error().message);
-    return libraries_.emplace(templates, *std::move(library)).first->second;
-}
+class DatabaseReader {
+  public:
+    DatabaseReader(Database& database, const TemplateLibrary& shipped)
+        : db_(database), shipped_(shipped) {}
+    DocumentFile read();
+    DocumentSummary summary();
 
-std::shared_ptr<const DocumentState> DocumentReader::readState(const json& value,
-                                                               const std::string& place) {
-    auto state = std::make_shared<DocumentState>();
-    const ObjectReader s(value, place);
-    s.allowOnly({"bodies", "templates", "surface", "mapped"});
-    const json::array_t& bodies = readArray(s.require("bodies"), s.at("bodies"));
-    const int solidCount = static_cast<int>(solids_.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const ObjectReader body(bodies[i], item(s.at("bodies"), i));
-        body.allowOnly({"solid", "rotation", "translation"});
-        const int solid = readInt(body.require("solid"), body.at("solid"), 0, solidCount - 1);
-        const Pose pose = readPose(body);
-        state->bodies.push_back({solids_[static_cast<std::size_t>(solid)], pose});
-    }
-    const json::array_t& list = readArray(s.require("templates"), s.at("templates"));
-    const int templateCount = static_cast<int>(templates_.size());
-    if (list.size() > templates_.size()) {
-        throwRead(Errc::BadValue, s.at("templates") + " names more templates than there are");
-    }
-    std::vector<int> templates;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        templates.push_back(readInt(list[i], item(s.at("templates"), i), 0, templateCount - 1));
-        state->addedTemplates.push_back(templates_[static_cast<std::size_t>(templates.back())].id);
-    }
-    state->library = libraryFor(templates, place);
-    if (const json* v = s.find("surface")) {
-        state->surface = surfaceFromJson(*v, s.at("surface"), state->bodies);
-    }
-    if (const json* v = s.find("mapped")) state->mapped = readMapped(*v, s.at("mapped"));
-    return state;
-}
-
-std::vector<MappedStroke> DocumentReader::readMapped(const json& value, const std::string& place) {
-    std::vector<MappedStroke> mapped;
-    const json::array_t& list = readArray(value, place);
-    const int count = static_cast<int>(strokes_.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const ObjectReader s(list[i], item(place, i));
-        s.allowOnly({"stroke", "color"});
-        const int index = readInt(s.require("stroke"), s.at("stroke"), 0, count - 1);
-        const PendingStroke& stroke = strokes_[static_cast<std::size_t>(index)];
-        const auto color = parseColor(readString(s.require("color"), s.at("color")));
-        if (!color) throwRead(Errc::BadValue, s.at("color") + ": " + color.error().message);
-        mapped.push_back({stroke.id, stroke.stroke, stroke.camera, *color});
-    }
-    return mapped;
-}
-
-std::vector<PendingStroke> DocumentReader::readStrokes(const json& value,
-                                                       const std::string& place) {
-    std::vector<PendingStroke> strokes;
-    const json::array_t& list = readArray(value, place);
-    const int count = static_cast<int>(strokes_.size());
-    int newest = -1;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const int index = readInt(list[i], item(place, i), 0, count - 1);
-        const PendingStroke& stroke = strokes_[static_cast<std::size_t>(index)];
-        if (stroke.id <= newest) {
-            throwRead(Errc::BadValue, item(place, i) + " is not in the order of drawing");
-        }
-        newest = stroke.id;
-        strokes.push_back(stroke);
-    }
-    return strokes;
-}
-
-/// The shipped templates without those that the document defines itself.
-TemplateLibrary withoutTaken(const TemplateLibrary& shipped, const std::vector<Template>& own) {
-    const auto isTaken = [&](const std::string& id) {
-        return std::any_of(own.begin(), own.end(), [&](const Template& t) { return t.id == id; });
+  private:
+    struct PackedBlob {
+        std::string sha, data;
+        std::size_t size = 0;
+        bool packed = false;
     };
-    std::vector<Template> kept;
-    for (std::size_t i = 0; i < shipped.size(); ++i) {
-        if (!isTaken(shipped.at(i).id)) kept.push_back(shipped.at(i));
+
+    template <class Visit>
+    void each(const Table& table, const Visit& visit) {
+        const auto ok = db_.each(table, [&](const Row& row) -> Result<void> {
+            visit(Fields(table, row));
+            return {};
+        });
+        if (!ok) throw ReadError{ok.error()};
     }
-    if (kept.size() == shipped.size()) return shipped;
-    auto library = TemplateLibrary().withAll(std::move(kept));
-    if (!library) throw ReadError{std::move(library).error()};
-    return *std::move(library);
+
+    void readSettings();
+    json setting(const std::string& key) const;
+    int settingInt(const std::string& key, int least, int most) const;
+    std::string thumbnail() const;
+    void readBlobs();
+    std::string blob(std::int64_t id, const std::string& place) const;
+    void readTemplates();
+    void readStrokes();
+    void readMapped();
+    void readState(const Fields& row);
+    std::vector<Body> readBodies(const Fields& row);
+    void readSteps();
+    void readInk();
+    void readPending();
+    void readScript();
+    void checkRows(const char* table, std::size_t found) const;
+    std::vector<int> strokeIds(const Fields& row, std::size_t column) const;
+
+    Database& db_;
+    const TemplateLibrary& shipped_;
+    DocumentFile file_;
+    std::map<std::string, json> settings_;
+    std::unordered_map<std::int64_t, PackedBlob> blobs_;
+    std::unordered_map<std::int64_t, OrthographicCamera> cameras_;
+    std::unordered_map<std::int64_t, std::size_t> templates_;  // index into the libraries' list
+    std::unordered_map<std::int64_t, std::string> templateIds_;
+    std::optional<StoredLibraries> libraries_;
+    std::unordered_map<std::int64_t, std::size_t> strokes_;  // index into file_.strokes
+    std::unordered_map<std::int64_t, std::vector<MappedStroke>> mapped_;
+    std::unordered_map<std::int64_t, Solid> solids_;
+    std::unordered_map<std::int64_t, std::shared_ptr<const DocumentState>> states_;
+};
+
+void DatabaseReader::readSettings() {
+    each(schema::kSetting, [&](const Fields& row) { settings_[row.text(0)] = row.tree(1); });
 }
 
-DocumentFile DocumentReader::read(const json& tree) {
-    const ObjectReader in(tree, "document");
-    const std::string& format = readString(in.require("format"), in.at("format"));
-    if (format != "edgewright-document") {
-        throwRead(Errc::WrongFormat,
-                  "this is not an Edgewright document (its format is " + nameQuoted(format) + ")");
-    }
-    const json& version = in.require("version");
-    if (!version.is_number_integer()) {
-        throwRead(Errc::WrongType, in.at("version") + " must be a whole number");
-    }
-    if (version != 1) {
-        throwRead(Errc::WrongVersion,
-                  "version " + version.dump() + " is not known; this program reads version 1");
-    }
-    in.allowOnly({"format", "version", "camera", "thresholds", "oblique_factor", "templates",
-                  "solids", "cameras", "strokes", "states", "history", "index", "pending",
-                  "next_stroke", "script"});
-    DocumentFile file;
-    file.camera = readCamera(in.require("camera"), in.at("camera"));
-    const json& thresholds = in.require("thresholds");
-    file.thresholds = withStep(Thresholds{}, thresholdsFromJson(thresholds, in.at("thresholds")));
-    file.obliqueFactor =
-        obliqueFactorFromJson(in.require("oblique_factor"), in.at("oblique_factor"));
-    readTables(in);
-    base_ = withoutTaken(shipped_, templates_);
+json DatabaseReader::setting(const std::string& key) const {
+    const auto found = settings_.find(key);
+    if (found == settings_.end()) throwRead(Errc::Damaged, "setting " + key + " is missing");
+    return found->second;
+}
 
-    const json::array_t& states = readArray(in.require("states"), in.at("states"));
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        file.states.push_back(readState(states[i], item(in.at("states"), i)));
+int DatabaseReader::settingInt(const std::string& key, int least, int most) const {
+    return readInt(setting(key), "setting " + key, least, most);
+}
+
+std::string DatabaseReader::thumbnail() const {
+    if (!settings_.contains("thumbnail")) return {};
+    const json text = setting("thumbnail");
+    const auto& base64 = readString(text, "setting thumbnail");
+    return QByteArray::fromBase64(QByteArray::fromStdString(base64)).toStdString();
+}
+
+void DatabaseReader::readBlobs() {
+    each(schema::kBlob, [&](const Fields& row) {
+        PackedBlob& blob = blobs_[row.id(0)];
+        blob.sha = row.bytes(1);
+        blob.size = static_cast<std::size_t>(row.number(2, 0, kMaxInt));
+        blob.packed = row.number(3, 0, 1) == 1;
+        blob.data = row.bytes(4);
+    });
+}
+
+std::string DatabaseReader::blob(std::int64_t id, const std::string& place) const {
+    const PackedBlob& packed = known(blobs_, id, place, "blob");
+    auto content = unpackBlob(packed.data, packed.packed, packed.size, packed.sha);
+    if (!content) throwRead(content.error().code, place + ": " + content.error().message);
+    return *std::move(content);
+}
+
+void DatabaseReader::readTemplates() {
+    std::vector<Template> own;
+    each(schema::kTemplate, [&](const Fields& row) {
+        auto tmpl = readTemplate(row.text(1), row.place());
+        if (!tmpl) throw ReadError{std::move(tmpl).error()};
+        templates_[row.id(0)] = own.size();
+        templateIds_[row.id(0)] = tmpl->id;
+        own.push_back(*std::move(tmpl));
+    });
+    // Those that states name were added here; the others were used by steps.
+    std::vector<bool> isAdded(own.size(), false);
+    each(schema::kState, [&](const Fields& row) {
+        const json tree = row.tree(2);
+        for (const json& id : readArray(tree, row.place())) {
+            const int number = readInt(id, row.place(), 1, kMaxInt);
+            isAdded[known(templates_, number, row.place(), "template")] = true;
+        }
+    });
+    std::vector<Template> added;
+    std::vector<Template> used;
+    std::vector<std::size_t> newIndex;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        newIndex.push_back(added.size());
+        (isAdded[i] ? added : used).push_back(own[i]);
     }
-    const json::array_t& history = readArray(in.require("history"), in.at("history"));
-    if (states.size() != history.size() + 1) {
-        throwRead(Errc::BadValue, in.at("states") + " must be one more than the history has steps");
+    for (auto& [id, index] : templates_) index = newIndex[index];
+    libraries_.emplace(shipped_, std::move(added), used);
+}
+
+void DatabaseReader::readStrokes() {
+    each(schema::kCamera, [&](const Fields& row) {
+        cameras_[row.id(0)] = fullCameraFromJson(row.tree(1), row.place());
+    });
+    each(schema::kStroke, [&](const Fields& row) {
+        PendingStroke s;
+        s.id = row.number(0, 0, kMaxInt - 1);
+        s.camera = known(cameras_, row.id(1), row.place(), "camera");
+        auto stroke = strokeFromBlob(blob(row.id(2), row.place()));
+        if (!stroke) throwRead(stroke.error().code, row.place() + ": " + stroke.error().message);
+        s.stroke = *std::move(stroke);
+        checkSamples(s.stroke, row.place());
+        strokes_[s.id] = file_.strokes.size();
+        file_.strokes.push_back(std::move(s));
+    });
+}
+
+void DatabaseReader::readMapped() {
+    each(schema::kMapped, [&](const Fields& row) {
+        std::vector<MappedStroke> list;
+        const auto kept = static_cast<std::size_t>(row.number(2, 0, kMaxInt));
+        if (!row.isNothing(1)) {
+            const auto& base = known(mapped_, row.id(1), row.place(), "list");
+            if (kept > base.size()) throwRead(Errc::Damaged, row.place() + " keeps too much");
+            list.assign(base.begin(), base.begin() + static_cast<std::ptrdiff_t>(kept));
+        } else if (kept > 0) {
+            throwRead(Errc::Damaged, row.place() + " keeps what is not there");
+        }
+        const json more = row.tree(3);
+        for (const json& item : readArray(more, row.place())) {
+            const json::array_t& pair = readArray(item, row.place());
+            if (pair.size() != 2)
+                throwRead(Errc::BadValue, row.place() + ": a stroke and a colour");
+            const int id = readInt(pair[0], row.place(), 0, kMaxInt - 1);
+            const auto& s = file_.strokes[known(strokes_, id, row.place(), "stroke")];
+            const auto color = parseColor(readString(pair[1], row.place()));
+            if (!color) throwRead(Errc::BadValue, row.place() + ": " + color.error().message);
+            list.push_back({s.id, s.stroke, s.camera, *color});
+        }
+        mapped_[row.id(0)] = std::move(list);
+    });
+}
+
+std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
+    std::vector<Body> bodies;
+    const json tree = row.tree(1);
+    for (const json& item : readArray(tree, row.place())) {
+        const ObjectReader body(item, itemPlace(row.place(), bodies.size()));
+        body.allowOnly({"solid", "rotation", "translation"});
+        const int id = readInt(body.require("solid"), body.at("solid"), 1, kMaxInt);
+        auto solid = solids_.find(id);
+        if (solid == solids_.end()) {
+            auto read = Solid::deserialize(blob(id, body.place()));
+            if (!read) throwRead(read.error().code, body.place() + ": " + read.error().message);
+            solid = solids_.emplace(id, *std::move(read)).first;
+        }
+        bodies.push_back({solid->second, poseFromJson(body)});
     }
-    for (std::size_t i = 0; i < history.size(); ++i) {
-        const ObjectReader step(history[i], item(in.at("history"), i));
-        step.allowOnly({"name", "strokes", "left"});
+    return bodies;
+}
+
+void DatabaseReader::readState(const Fields& row) {
+    auto state = std::make_shared<DocumentState>();
+    state->bodies = readBodies(row);
+    std::vector<int> added;
+    const json templates = row.tree(2);
+    for (const json& id : readArray(templates, row.place())) {
+        const int number = readInt(id, row.place(), 1, kMaxInt);
+        added.push_back(static_cast<int>(known(templates_, number, row.place(), "template")));
+        const auto index = static_cast<std::size_t>(added.back());
+        state->addedTemplates.push_back(libraries_->templates()[index].id);
+    }
+    state->library = libraries_->with(added, row.place());
+    if (!row.isNothing(3)) {
+        const auto tree = parseJson(blob(row.id(3), row.place()), {});
+        if (!tree) throwRead(tree.error().code, row.place() + ": " + tree.error().message);
+        state->surface = surfaceFromJson(*tree, row.place(), state->bodies);
+    }
+    if (!row.isNothing(4)) state->mapped = known(mapped_, row.id(4), row.place(), "list");
+    states_[row.id(0)] = std::move(state);
+}
+
+std::vector<int> DatabaseReader::strokeIds(const Fields& row, std::size_t column) const {
+    std::vector<int> ids = idsFromJson(row.tree(column), row.place());
+    for (const int id : ids) known(strokes_, id, row.place(), "stroke");
+    return ids;
+}
+
+void DatabaseReader::readSteps() {
+    const int first = settingInt("first_state", 1, kMaxInt);
+    file_.first = known(states_, first, "setting first_state", "state");
+    each(schema::kStep, [&](const Fields& row) {
+        if (row.id(0) != static_cast<std::int64_t>(file_.commands.size())) {
+            throwRead(Errc::Damaged, row.place() + ": the step before it is missing");
+        }
         StoredCommand command;
-        command.name = readString(step.require("name"), step.at("name"));
-        command.consumed = readStrokes(step.require("strokes"), step.at("strokes"));
-        if (const json* v = step.find("left")) command.left = readStrokes(*v, step.at("left"));
-        file.commands.push_back(std::move(command));
+        command.name = row.text(1);
+        command.after = known(states_, row.id(2), row.place(), "state");
+        command.consumed = strokeIds(row, 3);
+        if (!row.isNothing(4)) {
+            command.templateId = known(templateIds_, row.id(4), row.place(), "template");
+        }
+        command.key = row.text(5);
+        file_.commands.push_back(std::move(command));
+    });
+    checkRows("step", file_.commands.size());
+    file_.index = settingInt("index", 0, static_cast<int>(file_.commands.size()));
+}
+
+void DatabaseReader::readInk() {
+    file_.nextInkSerial = settingInt("next_ink", 0, kMaxInt);
+    std::size_t rows = 0;
+    each(schema::kInk, [&](const Fields& row) {
+        ++rows;
+        const auto steps = static_cast<int>(file_.commands.size());
+        const int list = row.number(0, 0, 2 * steps + 1);
+        StoredInk* changes = list == schema::kInkDone ? &file_.inkDone : &file_.inkUndone;
+        if (list > schema::kInkUndone) {
+            StoredCommand& command = file_.commands[static_cast<std::size_t>(list) / 2 - 1];
+            changes = list % 2 == 0 ? &command.inkBefore : &command.inkAfter;
+        }
+        if (row.id(1) != static_cast<std::int64_t>(changes->size())) {
+            throwRead(Errc::Damaged, row.place() + ": the change before it is missing");
+        }
+        StoredInkChange change;
+        change.serial = row.number(2, 0, file_.nextInkSerial - 1);
+        change.added = strokeIds(row, 3);
+        change.removed = strokeIds(row, 4);
+        change.withdrawn = strokeIds(row, 5);
+        changes->push_back(std::move(change));
+    });
+    checkRows("ink", rows);
+}
+
+void DatabaseReader::readPending() {
+    each(schema::kPending, [&](const Fields& row) {
+        file_.pending.push_back(row.number(0, 0, kMaxInt - 1));
+        known(strokes_, file_.pending.back(), row.place(), "stroke");
+    });
+    checkRows("pending", file_.pending.size());
+    int least = 0;
+    for (const PendingStroke& s : file_.strokes) least = std::max(least, s.id + 1);
+    file_.nextStrokeId = settingInt("next_stroke", least, kMaxInt);
+}
+
+void DatabaseReader::readScript() {
+    std::size_t rows = 0;
+    each(schema::kScript, [&](const Fields& row) {
+        ++rows;
+        const int list = row.number(0, -kMaxInt, kMaxInt);
+        const int serial = static_cast<int>(schema::serialTakenBack(list));
+        auto& entries = list == schema::kScriptDone ? file_.script : file_.takenBack[serial];
+        if (row.id(1) != static_cast<std::int64_t>(entries.size())) {
+            throwRead(Errc::Damaged, row.place() + ": the step before it is missing");
+        }
+        Recorder::Entry entry;
+        if (row.isNothing(2)) {
+            auto stroke = strokeFromBlob(blob(row.id(3), row.place()));
+            if (!stroke) {
+                throwRead(stroke.error().code, row.place() + ": " + stroke.error().message);
+            }
+            checkSamples(*stroke, row.place());
+            entry.step = StrokeStep{*std::move(stroke), row.number(4, 0, 1) == 1};
+        } else {
+            entry.step = stepFromJson(row.tree(2), entries.size());
+        }
+        entry.view.camera = known(cameras_, row.id(5), row.place(), "camera");
+        entry.view.thresholds = {row.real(6), row.real(7)};
+        entry.inkSerial = row.number(8, -kMaxInt, kMaxInt);
+        entries.push_back(std::move(entry));
+    });
+    checkRows("script", rows);
+}
+
+void DatabaseReader::checkRows(const char* table, std::size_t found) const {
+    const json rows = setting("rows");
+    const ObjectReader told(rows, "setting rows");
+    const int expected = readInt(told.require(table), told.at(table), 0, kMaxInt);
+    if (static_cast<std::size_t>(expected) != found) {
+        throwRead(Errc::Damaged, std::string("rows of the table ") + table + " are missing");
     }
-    const int steps = static_cast<int>(history.size());
-    file.index = readInt(in.require("index"), in.at("index"), 0, steps);
-    file.pending = readStrokes(in.require("pending"), in.at("pending"));
-    int leastNext = 0;
-    for (const PendingStroke& s : strokes_) leastNext = std::max(leastNext, s.id + 1);
-    file.nextStrokeId =
-        readInt(in.require("next_stroke"), in.at("next_stroke"), leastNext, kMaxInt);
-    file.script = scriptFromJson(in.require("script"));
-    return file;
+}
+
+DocumentFile DatabaseReader::read() {
+    readSettings();
+    readBlobs();
+    readTemplates();
+    readStrokes();
+    readMapped();
+    each(schema::kState, [&](const Fields& row) { readState(row); });
+    readSteps();
+    readInk();
+    readPending();
+    readScript();
+    const json camera = setting("camera");
+    file_.view.camera = fullCameraFromJson(camera, "setting camera");
+    const json thresholds = setting("thresholds");
+    file_.view.thresholds =
+        withStep(Thresholds{}, thresholdsFromJson(thresholds, "setting thresholds"));
+    const json automatic = setting("automatic_distance");
+    if (!automatic.is_boolean()) throwRead(Errc::WrongType, "setting automatic_distance");
+    file_.automaticDistance = automatic.get<bool>();
+    file_.obliqueFactor = obliqueFactorFromJson(setting("oblique_factor"), "oblique_factor");
+    file_.title = readString(setting("title"), "setting title");
+    file_.thumbnail = thumbnail();
+    return std::move(file_);
+}
+
+DocumentSummary DatabaseReader::summary() {
+    readSettings();
+    DocumentSummary out;
+    const json rows = setting("rows");
+    const ObjectReader told(rows, "setting rows");
+    out.steps = readInt(told.require("step"), told.at("step"), 0, kMaxInt);
+    out.strokes = readInt(told.require("pending"), told.at("pending"), 0, kMaxInt);
+    out.title = readString(setting("title"), "setting title");
+    out.thumbnail = thumbnail();
+    return out;
 }
 
 }  // namespace
 
-Result<DocumentFile> readDocument(std::string_view text, const TemplateLibrary& shipped) {
-    constexpr std::size_t kMaxTree = std::size_t{3} << 30U;
-    auto tree = parseJson(text, {.maxBytes = kMaxDocumentBytes, .maxTreeBytes = kMaxTree});
-    if (!tree) return fail(tree.error());
+Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped) {
     try {
-        return DocumentReader(shipped).read(*tree);
+        return DatabaseReader(database, shipped).read();
+    } catch (ReadError& e) {
+        return fail(std::move(e.error));
+    }
+}
+
+Result<DocumentSummary> summarizeDatabase(Database& database) {
+    const TemplateLibrary none;
+    try {
+        return DatabaseReader(database, none).summary();
     } catch (ReadError& e) {
         return fail(std::move(e.error));
     }

@@ -1,181 +1,321 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-#include <unordered_map>
+#include "core/document/store_writer.h"
 
-#include "core/document/json_text.h"
-#include "core/document/recorder.h"
+#include <QByteArray>
+#include <algorithm>
+#include <iterator>
+
 #include "core/document/sketch_script_json.h"
-#include "core/document/store.h"
+#include "core/document/store_blobs.h"
+#include "core/document/store_schema.h"
 #include "core/document/store_surface.h"
+#include "core/document/store_values.h"
 #include "core/tlib/template_io.h"
 
 namespace ew {
 
 namespace {
 
-/// Texts that are written once and referred to by their index.
-class Table {
-  public:
-    int index(const std::string& text) {
-        const auto [it, isNew] = indices_.try_emplace(text, static_cast<int>(texts_.size()));
-        if (isNew) texts_.push_back(text);
-        return it->second;
-    }
-    std::string list() const {
-        std::string out = "[";
-        for (const std::string& text : texts_) {
-            out += out.size() > 1 ? ",\n    " : "\n    ";
-            out += text;
-        }
-        return out + "]";
-    }
+std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-  private:
-    std::map<std::string, int> indices_;
-    std::vector<std::string> texts_;
-};
+Field optional(const std::optional<std::int64_t>& id) { return id ? Field(*id) : Field(); }
 
-/// A comma before every item but the first of a list.
-void separate(std::string& list) {
-    if (list.size() > 1) list += ", ";
+template <class Known>
+std::int64_t nextId(const Known& known) {
+    return static_cast<std::int64_t>(known.size()) + 1;
 }
 
-std::string numbers(const double* begin, const double* end) {
-    std::string out = "[";
-    for (const double* p = begin; p != end; ++p) {
-        separate(out);
-        out += numberText(*p);
-    }
-    return out + "]";
+/// How many of the first changes are the same in both.
+std::size_t sameBeginning(const StoredInk& a, const StoredInk& b) {
+    const auto [end, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    return static_cast<std::size_t>(end - a.begin());
 }
 
-std::string fullCamera(const OrthographicCamera& c) {
-    CameraStep all;
-    all.direction = c.direction;
-    all.up = c.up;
-    all.center = c.center;
-    all.worldPerPixel = c.worldPerPixel;
-    all.viewport = Vec2(c.width, c.height);
-    return "{" + cameraJson(all) + "}";
-}
-
-class DocumentWriter {
-  public:
-    std::string write(const DocumentFile& file);
-
-  private:
-    int solid(const Solid& s) {
-        // Snapshots share their solids, so most are known by address without serializing.
-        const auto [it, isNew] = solidIndex_.try_emplace(&s.impl(), -1);
-        if (isNew) it->second = solids_.index(jsonQuoted(s.serialize()));
-        return it->second;
-    }
-
-    int stroke(const PendingStroke& s) {
-        const auto [it, isNew] = strokeIndex_.try_emplace(s.id, strokeIndex_.size());
-        if (isNew) {
-            std::string text = "{\"id\": " + std::to_string(s.id) + ", \"camera\": " +
-                               std::to_string(cameras_.index(fullCamera(s.camera))) +
-                               ", \"samples\": [";
-            bool first = true;
-            for (const PenSample& p : s.stroke.samples) {
-                if (!first) text += ',';
-                first = false;
-                text += numberText(p.position.x()) + ',' + numberText(p.position.y()) + ',' +
-                        numberText(p.pressure) + ',' + numberText(p.timeMs);
-            }
-            strokes_ += strokes_.size() > 1 ? ",\n    " : "\n    ";
-            strokes_ += text + "]}";
-        }
-        return static_cast<int>(it->second);
-    }
-
-    std::string strokeList(const std::vector<PendingStroke>& strokes) {
-        std::string out = "[";
-        for (const PendingStroke& s : strokes) {
-            separate(out);
-            out += std::to_string(stroke(s));
-        }
-        return out + "]";
-    }
-
-    std::string mapped(const std::vector<MappedStroke>& strokes) {
-        std::string out = "[";
-        for (const MappedStroke& s : strokes) {
-            separate(out);
-            const int index = stroke({s.id, s.stroke, s.camera});
-            out += "{\"stroke\": " + std::to_string(index) +
-                   ", \"color\": " + jsonQuoted(colorText(s.color)) + "}";
-        }
-        return out + "]";
-    }
-
-    std::string state(const DocumentState& s) {
-        std::string bodies = "[";
-        for (const Body& b : s.bodies) {
-            separate(bodies);
-            const Mat3 rows = b.pose.rotation.transpose();  // column-major data, written by rows
-            bodies += "{\"solid\": " + std::to_string(solid(b.solid)) +
-                      ", \"rotation\": " + numbers(rows.data(), rows.data() + 9) +
-                      ", \"translation\": " + vecText(b.pose.translation) + "}";
-        }
-        std::string templates = "[";
-        for (const std::string& id : s.addedTemplates) {
-            separate(templates);
-            const Template& tmpl = s.library.at(static_cast<std::size_t>(s.library.find(id)));
-            templates += std::to_string(
-                templates_.index(nlohmann::ordered_json::parse(writeTemplate(tmpl)).dump()));
-        }
-        std::string out = "{\"bodies\": " + bodies + "], \"templates\": " + templates + "]";
-        if (s.surface != SurfaceSettings{}) out += ", \"surface\": " + surfaceText(s.surface);
-        if (!s.mapped.empty()) out += ", \"mapped\": " + mapped(s.mapped);
-        return out + "}";
-    }
-
-    Table solids_;
-    Table cameras_;
-    Table templates_;
-    std::string strokes_ = "[";
-    std::unordered_map<const Solid::Impl*, int> solidIndex_;
-    std::map<int, std::size_t> strokeIndex_;
-};
-
-std::string DocumentWriter::write(const DocumentFile& file) {
-    // States and history first: they fill the tables, which come first in the file.
-    std::string states = "[";
-    for (const auto& s : file.states) {
-        states += states.size() > 1 ? ",\n    " : "\n    ";
-        states += state(*s);
-    }
-    std::string history = "[";
-    for (const StoredCommand& c : file.commands) {
-        history += history.size() > 1 ? ",\n    " : "\n    ";
-        history += "{\"name\": " + jsonQuoted(c.name) + ", \"strokes\": " + strokeList(c.consumed);
-        if (!c.left.empty()) history += ", \"left\": " + strokeList(c.left);
-        history += "}";
-    }
-    const std::string pending = strokeList(file.pending);
-
-    std::string out = "{\n  \"format\": \"edgewright-document\",\n  \"version\": 1,\n";
-    out += "  \"camera\": " + fullCamera(file.camera) + ",\n";
-    out += "  \"thresholds\": {\"distance_px\": " + numberText(file.thresholds.distancePx) +
-           ", \"angle_deg\": " + numberText(file.thresholds.angleDeg) + "},\n";
-    out += "  \"oblique_factor\": " + numberText(file.obliqueFactor) + ",\n";
-    out += "  \"templates\": " + templates_.list() + ",\n";
-    out += "  \"solids\": " + solids_.list() + ",\n";
-    out += "  \"cameras\": " + cameras_.list() + ",\n";
-    out += "  \"strokes\": " + strokes_ + "],\n";
-    out += "  \"states\": " + states + "],\n";
-    out += "  \"history\": " + history + "],\n";
-    out += "  \"index\": " + std::to_string(file.index) + ",\n";
-    out += "  \"pending\": " + pending + ",\n";
-    out += "  \"next_stroke\": " + std::to_string(file.nextStrokeId) + ",\n";
-    out += "  \"script\": " + writeSketchScript(file.script) + "}\n";
-    return out;
+bool sameMapped(const MappedStroke& a, const MappedStroke& b) {
+    return a.id == b.id && a.color == b.color;
 }
 
 }  // namespace
 
-std::string writeDocument(const DocumentFile& file) { return DocumentWriter().write(file); }
+void DocumentWriter::put(const Table& table, const Row& row) {
+    if (auto ok = db_.put(table, row); !ok) throw ReadError{ok.error()};
+}
+
+void DocumentWriter::remove(const Table& table, const Row& key) {
+    if (auto ok = db_.remove(table, key); !ok) throw ReadError{ok.error()};
+}
+
+std::int64_t DocumentWriter::blob(const std::string& content) {
+    const std::string sha = contentHash(content);
+    const auto [it, isNew] = known_.blobs.try_emplace(sha, nextId(known_.blobs));
+    if (isNew) {
+        const auto [data, packed] = packBlob(content);
+        put(schema::kBlob, {it->second, Bytes{sha}, whole(content.size()),
+                            std::int64_t{packed ? 1 : 0}, Bytes{data}});
+    }
+    return it->second;
+}
+
+std::int64_t DocumentWriter::camera(const OrthographicCamera& c) {
+    const std::string text = fullCamera(c);
+    const auto [it, isNew] = known_.cameras.try_emplace(text, nextId(known_.cameras));
+    if (isNew) put(schema::kCamera, {it->second, text});
+    return it->second;
+}
+
+std::int64_t DocumentWriter::tmpl(const Template& t) {
+    const std::string text = nlohmann::ordered_json::parse(writeTemplate(t)).dump();
+    const auto [it, isNew] = known_.templates.try_emplace(text, nextId(known_.templates));
+    if (isNew) put(schema::kTemplate, {it->second, text});
+    return it->second;
+}
+
+std::int64_t DocumentWriter::samples(const Stroke& stroke) { return blob(samplesBlob(stroke)); }
+
+void DocumentWriter::stroke(const PendingStroke& s) {
+    if (!known_.strokes.insert(s.id).second) return;
+    put(schema::kStroke, {std::int64_t{s.id}, camera(s.camera), samples(s.stroke)});
+}
+
+std::optional<std::int64_t> DocumentWriter::mapped(const DocumentState& s, const StateRow* before) {
+    if (s.mapped.empty()) return std::nullopt;
+    const std::vector<MappedStroke> none;
+    const auto& old = before != nullptr && before->mapped ? before->state->mapped : none;
+    const auto [end, other] =
+        std::mismatch(s.mapped.begin(), s.mapped.end(), old.begin(), old.end(), &sameMapped);
+    if (end == s.mapped.end() && other == old.end()) return before->mapped;
+    std::string more = "[";
+    for (auto m = end; m != s.mapped.end(); ++m) {
+        stroke({m->id, m->stroke, m->camera});
+        separate(more);
+        more += "[" + std::to_string(m->id) + ", " + jsonQuoted(colorText(m->color)) + "]";
+    }
+    const std::int64_t id = ++known_.mappedRows;
+    const std::int64_t kept = end - s.mapped.begin();
+    put(schema::kMapped, {id, kept > 0 ? optional(before->mapped) : Field(), kept, more + "]"});
+    return id;
+}
+
+std::int64_t DocumentWriter::state(const std::shared_ptr<const DocumentState>& s,
+                                   const StateRow* before) {
+    const auto known = known_.states.find(s.get());
+    if (known != known_.states.end()) return known->second.id;
+    StateRow row;
+    row.state = s;
+    std::string bodies = "[";
+    for (std::size_t i = 0; i < s->bodies.size(); ++i) {
+        const Body& body = s->bodies[i];
+        // Steps share the solids that they leave alone, so most need not be serialized.
+        const bool same = before != nullptr && i < before->solids.size() &&
+                          &before->state->bodies[i].solid.impl() == &body.solid.impl();
+        row.solids.push_back(same ? before->solids[i] : blob(body.solid.serialize()));
+        separate(bodies);
+        bodies +=
+            "{\"solid\": " + std::to_string(row.solids.back()) + ", " + poseText(body.pose) + "}";
+    }
+    std::string templates = "[";
+    for (const std::string& id : s->addedTemplates) {
+        separate(templates);
+        const auto index = static_cast<std::size_t>(s->library.find(id));
+        templates += std::to_string(tmpl(s->library.at(index)));
+    }
+    if (before != nullptr && before->state->surface == s->surface) {
+        row.surface = before->surface;
+    } else if (s->surface != SurfaceSettings{}) {
+        row.surface = blob(surfaceText(s->surface));
+    }
+    row.mapped = mapped(*s, before);
+    row.id = ++known_.stateRows;
+    put(schema::kState,
+        {row.id, bodies + "]", templates + "]", optional(row.surface), optional(row.mapped)});
+    return known_.states.emplace(s.get(), std::move(row)).first->second.id;
+}
+
+void DocumentWriter::inkList(std::int64_t list, const StoredInk& changes, std::size_t keep) {
+    for (std::size_t i = keep; i < changes.size(); ++i) {
+        const StoredInkChange& c = changes[i];
+        put(schema::kInk, {list, whole(i), std::int64_t{c.serial}, idsText(c.added),
+                           idsText(c.removed), idsText(c.withdrawn)});
+    }
+    std::size_t& rows = known_.inkRows[list];
+    for (std::size_t i = changes.size(); i < rows; ++i) remove(schema::kInk, {list, whole(i)});
+    rows = changes.size();
+    if (rows == 0) known_.inkRows.erase(list);
+}
+
+void DocumentWriter::setting(const std::string& key, const std::string& value) {
+    std::string& known = known_.settings[key];
+    if (known == value) return;
+    put(schema::kSetting, {key, value});
+    known = value;
+}
+
+void DocumentWriter::writeHistory(const DocumentUpdate& update) {
+    const DocumentFile& file = update.file;
+    auto& chain = known_.chain;
+    const auto rowOf = [&](std::size_t place) { return &known_.states.at(chain[place].get()); };
+    if (chain.empty()) {
+        const std::int64_t id = state(file.first, nullptr);
+        chain.push_back(file.first);
+        setting("first_state", std::to_string(id));
+    }
+    for (std::size_t i = 0; i < file.commands.size(); ++i) {
+        const StoredCommand& c = file.commands[i];
+        const std::size_t place = update.firstCommand + i;
+        const std::int64_t id = state(c.after, rowOf(place));
+        if (place + 1 < chain.size() && chain[place + 1] != c.after)
+            known_.states.erase(chain[place + 1].get());
+        chain.resize(std::max(chain.size(), place + 2));
+        chain[place + 1] = c.after;
+        Field used;
+        if (!c.templateId.empty()) {
+            const TemplateLibrary& library = chain[place]->library;
+            const int index = library.find(c.templateId);
+            if (index >= 0) used = tmpl(library.at(static_cast<std::size_t>(index)));
+        }
+        put(schema::kStep, {whole(place), c.name, id, idsText(c.consumed), used, c.key});
+        inkList(schema::inkBefore(place), c.inkBefore, 0);
+        inkList(schema::inkAfter(place), c.inkAfter, 0);
+    }
+    while (chain.size() > update.commandCount + 1) {
+        const std::size_t place = chain.size() - 2;
+        remove(schema::kStep, {whole(place)});
+        inkList(schema::inkBefore(place), {}, 0);
+        inkList(schema::inkAfter(place), {}, 0);
+        known_.states.erase(chain.back().get());
+        chain.pop_back();
+    }
+}
+
+void DocumentWriter::writeInk(const DocumentFile& file) {
+    inkList(schema::kInkDone, file.inkDone, sameBeginning(file.inkDone, known_.inkDone));
+    inkList(schema::kInkUndone, file.inkUndone, sameBeginning(file.inkUndone, known_.inkUndone));
+    known_.inkDone = file.inkDone;
+    known_.inkUndone = file.inkUndone;
+    std::vector<int> changed;
+    std::set_difference(known_.pending.begin(), known_.pending.end(), file.pending.begin(),
+                        file.pending.end(), std::back_inserter(changed));
+    for (const int id : changed) remove(schema::kPending, {std::int64_t{id}});
+    changed.clear();
+    std::set_difference(file.pending.begin(), file.pending.end(), known_.pending.begin(),
+                        known_.pending.end(), std::back_inserter(changed));
+    for (const int id : changed) put(schema::kPending, {std::int64_t{id}});
+    known_.pending = file.pending;
+}
+
+Row DocumentWriter::scriptRow(std::int64_t list, std::size_t place, const Recorder::Entry& entry) {
+    Field step;
+    Field ink;
+    std::int64_t pressure = 0;
+    if (const auto* drawn = std::get_if<StrokeStep>(&entry.step)) {
+        ink = samples(drawn->stroke);
+        pressure = drawn->hasPressure ? 1 : 0;
+    } else {
+        step = stepJson(entry.step);
+    }
+    const Thresholds& t = entry.view.thresholds;
+    return {list,           whole(place), std::move(step),
+            std::move(ink), pressure,     camera(entry.view.camera),
+            t.distancePx,   t.angleDeg,   std::int64_t{entry.inkSerial}};
+}
+
+void DocumentWriter::writeScript(const DocumentUpdate& update) {
+    const auto list = [&](std::int64_t number, const std::vector<Recorder::Entry>& entries,
+                          std::size_t from) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            put(schema::kScript, scriptRow(number, from + i, entries[i]));
+        }
+        std::size_t& rows = known_.scriptRows[number];
+        const std::size_t now = from + entries.size();
+        for (std::size_t i = now; i < rows; ++i) remove(schema::kScript, {number, whole(i)});
+        rows = now;
+        if (rows == 0) known_.scriptRows.erase(number);
+    };
+    list(schema::kScriptDone, update.file.script, update.firstEntry);
+    for (const auto& [serial, entries] : update.file.takenBack) {
+        list(schema::takenBack(serial), entries, 0);
+    }
+}
+
+void DocumentWriter::writeSettings(const DocumentUpdate& update) {
+    const DocumentFile& file = update.file;
+    const Thresholds& t = file.view.thresholds;
+    setting("camera", fullCamera(file.view.camera));
+    setting("thresholds", "{\"distance_px\": " + numberText(t.distancePx) +
+                              ", \"angle_deg\": " + numberText(t.angleDeg) + "}");
+    setting("automatic_distance", file.automaticDistance ? "true" : "false");
+    setting("oblique_factor", numberText(file.obliqueFactor));
+    setting("title", jsonQuoted(file.title));
+    setting("index", std::to_string(file.index));
+    setting("next_stroke", std::to_string(file.nextStrokeId));
+    setting("next_ink", std::to_string(file.nextInkSerial));
+    // No blob: in a working copy the old one goes when the new one comes.
+    if (!file.thumbnail.empty()) {
+        const QByteArray png = QByteArray::fromStdString(file.thumbnail);
+        setting("thumbnail", jsonQuoted(png.toBase64().toStdString()));
+    }
+    if (update.saved) setting("saved", *update.saved ? "true" : "false");
+    setting("needs", jsonQuoted("0.1.0"));
+    setting("program", jsonQuoted(EDGEWRIGHT_VERSION));
+    // A row that is gone without a trace is missed by its number.
+    std::size_t ink = 0;
+    std::size_t script = 0;
+    for (const auto& [list, rows] : known_.inkRows) ink += rows;
+    for (const auto& [list, rows] : known_.scriptRows) script += rows;
+    setting("rows", "{\"step\": " + std::to_string(known_.chain.size() - 1) +
+                        ", \"ink\": " + std::to_string(ink) +
+                        ", \"pending\": " + std::to_string(known_.pending.size()) +
+                        ", \"script\": " + std::to_string(script) + "}");
+}
+
+void DocumentWriter::writeAll(const DocumentUpdate& update) {
+    for (const PendingStroke& s : update.file.strokes) stroke(s);
+    writeHistory(update);
+    writeInk(update.file);
+    writeScript(update);
+    writeSettings(update);
+}
+
+Result<void> DocumentWriter::write(const DocumentUpdate& update) {
+    if (needsWhole() && !update.whole) {
+        return fail(Errc::Internal, "What was written last did not arrive.");
+    }
+    lost_ = true;  // until all of it is there, what is known is not what the database holds
+    auto ok = db_.begin();
+    if (!ok) return ok;
+    try {
+        if (update.whole) {
+            known_ = {};
+            ok = db_.clear();
+        }
+        if (ok) writeAll(update);
+    } catch (ReadError& e) {
+        ok = fail(std::move(e.error));
+    }
+    if (ok) ok = db_.commit();
+    if (!ok) {
+        db_.rollback();
+        return ok;
+    }
+    lost_ = false;
+    return {};
+}
+
+Result<std::string> writeDocument(const DocumentFile& file) {
+    auto db = Database::inMemory(schema::kKind);
+    if (!db) return fail(db.error());
+    DocumentWriter writer(*db);
+    if (auto ok = writer.write(wholeUpdate(file)); !ok) return fail(ok.error());
+    return db->bytes();
+}
+
+DocumentUpdate wholeUpdate(DocumentFile file) {
+    DocumentUpdate update;
+    update.whole = true;
+    update.commandCount = file.commands.size();
+    update.entryCount = file.script.size();
+    update.file = std::move(file);
+    return update;
+}
 
 }  // namespace ew

@@ -9,7 +9,11 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QUndoStack>
+#include <array>
+#include <functional>
+#include <random>
 
+#include "core/document/store_schema.h"
 #include "tests/document/fixtures.h"
 
 namespace ew {
@@ -64,7 +68,7 @@ RC_GTEST_PROP(Store, SaveAndOpenKeepTheWholeHistory, ()) {
     expectSame(*d, *e);
     RC_ASSERT(!e->isModified());
 
-    // The same all the way down the history and up again, and in the file's very text.
+    // The same all the way down the history and up again, and in the file's very bytes.
     while (d->undo()) {
         ASSERT_TRUE(e->undo());
         expectSame(*d, *e);
@@ -79,8 +83,8 @@ RC_GTEST_PROP(Store, SaveAndOpenKeepTheWholeHistory, ()) {
     RC_ASSERT(*readFileBytes(path, kMaxDocumentBytes) == *readFileBytes(other, kMaxDocumentBytes));
 }
 
-/// A document with a bit of everything, as the text of its file.
-std::string richText() {
+/// A document with a bit of everything, as the bytes of its file.
+std::string richFile() {
     const auto d = fakeDocument();
     const std::vector<std::pair<int, int>> steps{
         {0, 7},  {3, 0}, {9, 4},  {10, 1}, {0, 3},  {0, 2},  {3, 4},  {6, 0}, {12, 3},
@@ -92,6 +96,29 @@ std::string richText() {
     return *readFileBytes(path, kMaxDocumentBytes);
 }
 
+RC_GTEST_PROP(Store, WorkGoesOnAfterOpeningAsIfItHadNeverBeenClosed, ()) {
+    const auto d = fakeDocument();
+    const auto deeds = [] {
+        return *rc::gen::container<std::vector<std::pair<int, int>>>(
+            rc::gen::pair(rc::gen::inRange(0, test::kDeeds), rc::gen::inRange(0, 30)));
+    };
+    for (const auto& [what, number] : deeds()) doSomething(*d, what, number);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("d.edgewright");
+    RC_ASSERT(d->save(path).has_value());
+    const auto e = fakeDocument();
+    RC_ASSERT(e->open(path).has_value());
+    RC_ASSERT(d->canUndoInk() == e->canUndoInk());
+    RC_ASSERT(d->canRedoInk() == e->canRedoInk());
+    constexpr int kOtherReading = 11;  // which a file does not hold
+    for (const auto& [what, number] : deeds()) {
+        if (what == kOtherReading) continue;
+        doSomething(*d, what, number);
+        doSomething(*e, what, number);
+        expectSame(*d, *e);
+    }
+}
+
 TEST(Store, KeepsEachSolidOnce) {
     const auto d = fakeDocument();
     ASSERT_TRUE(d->addStroke(line({0, 0}, {5, 5})));
@@ -101,89 +128,162 @@ TEST(Store, KeepsEachSolidOnce) {
     }
     const QTemporaryDir folder;
     ASSERT_TRUE(d->save(folder.filePath("d.edgewright")));
-    const std::string text = *readFileBytes(folder.filePath("d.edgewright"), kMaxDocumentBytes);
-    const auto begin = text.find("\"solids\"");
-    const auto end = text.find("\"cameras\"");
-    const std::string solids = text.substr(begin, end - begin);
-    // The key, and one text: two pairs of quotes in all.
-    EXPECT_EQ(std::count(solids.begin(), solids.end(), '\n'), 2);
+    auto db = Database::overBytes(
+        *readFileBytes(folder.filePath("d.edgewright"), kMaxDocumentBytes), schema::kKind);
+    ASSERT_TRUE(db);
+    int blobs = 0;
+    ASSERT_TRUE(db->each(schema::kBlob, [&](const Row&) -> Result<void> {
+        ++blobs;
+        return {};
+    }));
+    EXPECT_EQ(blobs, 2) << "a solid, and the samples of a stroke";
 }
 
-TEST(Store, RefusesAFileThatIsCutAnywhere) {
-    const std::string whole = richText();
+TEST(Store, EqualDocumentsAreEqualFiles) { EXPECT_EQ(richFile(), richFile()); }
+
+/// What is read is what was written, or nothing is.
+void expectWholeOrRefused(const std::string& bytes, const std::string& whole) {
     const TemplateLibrary library = test::smallLibrary();
-    ASSERT_TRUE(readDocument(whole, library));
-    const std::size_t lastBrace = whole.rfind('}');
-    for (std::size_t n = 0; n <= lastBrace; ++n) {
-        const auto read = readDocument(std::string_view(whole).substr(0, n), library);
-        ASSERT_FALSE(read) << "cut after byte " << n;
-        ASSERT_EQ(read.error().code, Errc::Syntax) << "cut after byte " << n;
+    const auto read = readDocument(bytes, library);
+    if (read) {
+        EXPECT_EQ(*writeDocument(*read), whole);
+    } else {
+        EXPECT_FALSE(read.error().message.empty());
     }
 }
 
-RC_GTEST_PROP(Store, MutatedFilesAreReadOrRefused, ()) {
-    static const std::string whole = richText();
-    static const TemplateLibrary library = test::smallLibrary();
-    std::string text = whole;
-    const int changes = *rc::gen::inRange(1, 4);
-    for (int i = 0; i < changes; ++i) {
-        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
-        text[at] = *rc::gen::element('{', '}', '[', ']', ',', ':', '"', '0', '1', '7', '9', '-',
-                                     'e', '.', ' ', '/', '\x80');
+TEST(Store, AFileThatIsCutIsRefused) {
+    const std::string whole = richFile();
+    const TemplateLibrary library = test::smallLibrary();
+    std::mt19937 random(7);
+    for (int i = 0; i < 200; ++i) {
+        const auto read = readDocument(whole.substr(0, random() % whole.size()), library);
+        ASSERT_FALSE(read);
     }
-    const auto read = readDocument(text, library);
-    if (read)
-        RC_ASSERT(readDocument(writeDocument(*read), library).has_value());
-    else
-        RC_ASSERT(!read.error().message.empty());
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+TEST(Store, AFileWithChangedBytesIsRefusedOrReadAsItWas) {
+    const std::string whole = richFile();
+    std::mt19937 random(8);
+    for (int i = 0; i < 200; ++i) {
+        std::string one = whole;
+        one[random() % one.size()] = static_cast<char>(random());
+        expectWholeOrRefused(one, whole);
+    }
+    std::string many = whole;
+    for (int i = 0; i < 200; ++i) {
+        many[random() % many.size()] = static_cast<char>(random());
+        expectWholeOrRefused(many, whole);
+    }
+}
+
+/// The document with other fields in one of its rows, check sum and all.
+std::string withRow(const std::string& bytes, const Table& table, std::size_t number,
+                    const std::function<void(Row&)>& change) {
+    auto from = Database::overBytes(bytes, schema::kKind);
+    auto to = Database::inMemory(schema::kKind);
+    EXPECT_TRUE(from && to);
+    for (const Table& t : schema::kTables) {
+        std::size_t i = 0;
+        EXPECT_TRUE(from->each(t, [&](const Row& row) -> Result<void> {
+            Row copy = row;
+            if (t.name == table.name && i++ == number) change(copy);
+            return to->put(t, copy);
+        }));
+    }
+    return *to->bytes();
 }
 
 TEST(Store, RefusesWhatDoesNotHangTogether) {
-    const std::string whole = richText();
+    const std::string whole = richFile();
     const TemplateLibrary library = test::smallLibrary();
     struct Case {
-        const char* from;
-        const char* to;
+        Table table;
+        std::size_t row, column;
+        Field value;
         Errc code;
     };
+    const auto text = [](const char* t) { return Field(std::string(t)); };
     const std::vector<Case> table{
-        {"edgewright-document", "edgewright-sketch", Errc::WrongFormat},
-        {"\"version\": 1,", "\"version\": 9,", Errc::WrongVersion},
-        {"\"version\": 1,", "\"version\": \"1\",", Errc::WrongType},
-        {"\"index\": ", "\"index\": 99", Errc::BadValue},
-        {"\"index\": ", "\"indx\": ", Errc::UnknownKey},
-        {"\"solid\": 0", "\"solid\": 17", Errc::BadValue},
-        {"\"solid\": 0", "\"solid\": -1", Errc::BadValue},
-        {"\"solid\": 0", "\"solid\": 0.5", Errc::WrongType},
-        {"\"rotation\": [1, 0", "\"rotation\": [2, 0", Errc::BadValue},
-        {"\"rotation\": [1, 0", "\"rotation\": [-1, 0", Errc::BadValue},
-        {"\"rotation\": [1, 0", "\"rotation\": [1e200, 0", Errc::BadValue},
-        {"\"rotation\": [1, 0", "\"rotation\": [0", Errc::BadValue},
-        {"\"camera\": 0, \"samples\"", "\"camera\": 50, \"samples\"", Errc::BadValue},
-        {"\"samples\": [", "\"samples\": [1,", Errc::BadValue},
-        {"\"samples\": [", "\"samples\": [1e300,0,1,0,", Errc::BadCoordinates},
-        {"\"samples\": [", "\"samples\": [1,0,7,0,", Errc::BadValue},
-        {"\"next_stroke\": ", "\"next_stroke\": -", Errc::BadValue},
-        {"\"oblique_factor\": ", "\"oblique_factor\": 9", Errc::BadValue},
-        {"\"distance_px\": ", "\"distance_px\": -", Errc::BadValue},
-        {"\"id\": 1,", "\"id\": 0,", Errc::DuplicateId},
-        {"\"history\": [", "\"history\": [{\"name\": \"x\", \"strokes\": []},", Errc::BadValue},
-        {"\"strokes\": [0]", "\"strokes\": [0, 0]", Errc::BadValue},
-        {"\"format\":\"edgewright-template\"", "\"format\":\"something\"", Errc::WrongFormat},
-        {"\"script\": {", "\"script\": {\"x\": 1,", Errc::UnknownKey},
-    };
+        {schema::kBlob, 0, 4, Bytes{"x"}, Errc::Damaged},
+        {schema::kBlob, 0, 2, std::int64_t{1} << 30, Errc::Damaged},
+        {schema::kBlob, 0, 1, Bytes{std::string(32, 'x')}, Errc::Damaged},
+        {schema::kCamera, 0, 1, text("{}"), Errc::MissingKey},
+        {schema::kCamera, 0, 1, text("{"), Errc::Syntax},
+        {schema::kTemplate, 0, 1, text("{\"format\": 1}"), Errc::WrongFormat},
+        {schema::kStroke, 0, 1, std::int64_t{99}, Errc::Damaged},
+        {schema::kStroke, 0, 2, std::int64_t{99}, Errc::Damaged},
+        {schema::kStroke, 0, 0, std::int64_t{-1}, Errc::BadValue},
+        {schema::kState, 1, 1, text("[{\"solid\": 99}]"), Errc::Damaged},
+        {schema::kState, 1, 1, text("[3]"), Errc::WrongType},
+        {schema::kState, 1, 2, text("[99]"), Errc::Damaged},
+        {schema::kState, 1, 3, std::int64_t{1}, Errc::Syntax},
+        {schema::kState, 1, 4, std::int64_t{99}, Errc::Damaged},
+        {schema::kStep, 0, 0, std::int64_t{77}, Errc::Damaged},
+        {schema::kStep, 0, 2, std::int64_t{77}, Errc::Damaged},
+        {schema::kStep, 0, 3, text("[0, 0]"), Errc::BadValue},
+        {schema::kStep, 0, 3, text("[99]"), Errc::Damaged},
+        {schema::kInk, 0, 0, std::int64_t{9999}, Errc::BadValue},
+        {schema::kInk, 0, 1, std::int64_t{5}, Errc::Damaged},
+        {schema::kInk, 0, 2, std::int64_t{9999}, Errc::BadValue},
+        {schema::kPending, 0, 0, std::int64_t{9999}, Errc::Damaged},
+        {schema::kScript, 0, 1, std::int64_t{9999}, Errc::Damaged},
+        {schema::kScript, 1, 2, text("{\"do\": \"fly\"}"), Errc::BadValue},
+        {schema::kScript, 0, 5, std::int64_t{99}, Errc::Damaged}};
     for (const Case& c : table) {
-        const auto read = readDocument(replaced(whole, c.from, c.to), library);
-        ASSERT_FALSE(read) << c.from << " -> " << c.to;
-        EXPECT_EQ(read.error().code, c.code) << c.to << "\n" << read.error().message;
+        const std::string bad =
+            withRow(whole, c.table, c.row, [&](Row& row) { row[c.column] = c.value; });
+        const auto read = readDocument(bad, library);
+        ASSERT_FALSE(read) << c.table.name << " " << c.column;
+        EXPECT_EQ(read.error().code, c.code) << c.table.name << " " << c.column << "\n"
+                                             << read.error().message;
     }
-    EXPECT_EQ(readDocument(std::string(1'000'000, '['), library).error().code, Errc::TooDeep);
+    const std::vector<std::array<const char*, 2>> settings{
+        {"index", "99"},           {"index", "-1"},         {"next_stroke", "1"},
+        {"next_ink", "0"},         {"oblique_factor", "9"}, {"thresholds", "{\"distance_px\": -1}"},
+        {"first_state", "99"},     {"title", "7"},          {"automatic_distance", "3"},
+        {"rows", "{\"step\": 1}"}, {"camera", "{}"},        {"camera", "["}};
+    for (const auto& [key, value] : settings) {
+        auto db = Database::overBytes(whole, schema::kKind);
+        std::size_t number = 0;
+        std::size_t found = 0;
+        ASSERT_TRUE(db->each(schema::kSetting, [&](const Row& row) -> Result<void> {
+            if (row[0] == Field(std::string(key))) found = number;
+            ++number;
+            return {};
+        }));
+        const std::string bad =
+            withRow(whole, schema::kSetting, found, [&](Row& row) { row[1] = text(value); });
+        EXPECT_FALSE(readDocument(bad, library)) << key << " " << value;
+    }
+}
+
+TEST(Store, ALaterSchemaSaysWhichVersionItNeeds) {
+    std::string later = withRow(richFile(), schema::kSetting, 4, [](Row& row) {
+        EXPECT_EQ(row[0], Field(std::string("needs")));
+        row[1] = std::string("\"7.5.0\"");
+    });
+    later[63] = 9;  // the last byte of user_version
+    const auto read = readDocument(later, test::smallLibrary());
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, Errc::WrongVersion);
+    EXPECT_NE(read.error().message.find("7.5.0"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.find("schema is 9"), std::string::npos) << read.error().message;
+}
+
+TEST(Store, ATemplateThatIsNowhereElseComesWithTheDocument) {
+    const auto d = fakeDocument();  // it uses "box"
+    ASSERT_TRUE(d->addStroke(line({0, 0}, {5, 5})));
+    ASSERT_TRUE(d->apply());
+    const QTemporaryDir folder;
+    ASSERT_TRUE(d->save(folder.filePath("d.edgewright")));
+    Document e(*TemplateLibrary().with(test::boxTemplate("slab", "Slab")), &test::fakeInterpreter);
+    ASSERT_LT(e.state().library.find("box"), 0);
+    const auto opened = e.open(folder.filePath("d.edgewright"));
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_GE(e.state().library.find("box"), 0);
+    EXPECT_GE(e.state().library.find("slab"), 0);
+    EXPECT_TRUE(e.state().addedTemplates.empty());
 }
 
 TEST(Store, AFileThatCannotBeReadChangesNothing) {
@@ -196,10 +296,11 @@ TEST(Store, AFileThatCannotBeReadChangesNothing) {
     EXPECT_EQ(d->open(folder.filePath("missing")).error().code, Errc::FileNotFound);
     EXPECT_EQ(d->open(folder.path()).error().code, Errc::FileNotFound);
     const QString bad = folder.filePath("bad.edgewright");
-    ASSERT_TRUE(writeFileBytes(bad, richText().substr(0, 400)));
+    ASSERT_TRUE(writeFileBytes(bad, richFile().substr(0, 400)));
     const auto opened = d->open(bad);
     ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.error().message.find("bad.edgewright: "), 0U);
+    EXPECT_EQ(opened.error().message.find("bad.edgewright is damaged"), 0U);
+    EXPECT_EQ(opened.error().code, Errc::Damaged);
     EXPECT_EQ(&d->state(), before);
     EXPECT_EQ(d->pendingStrokes().size(), 1U);
     EXPECT_TRUE(d->filePath().isEmpty());
@@ -274,6 +375,8 @@ TEST(Store, SaysWhatAFileOfAnotherKindHolds) {
         {"<svg/>", "XML text, as SVG files are"},
         {"Dear all,", "text of another kind"},
         {std::string("\x01\0\x02", 3), "data of another kind"},
+        {std::string("SQLite format 3\0", 16) + std::string(84, '\0'),
+         "a database of another program"},
         {" \n", "nothing"},
         {"", "nothing"}};
     const QString path = folder.filePath("x.edgewright");

@@ -172,6 +172,10 @@ int main(int argc, char** argv) {
         if (entry.path().extension() != ".json") continue;
         ok &= seeds.put("template", entry.path().filename().string(), contents(entry.path()));
     }
+    for (const auto& entry : fs::directory_iterator(kSource + "/tests/data")) {
+        ok &= seeds.put("document", "schema1-" + entry.path().filename().string(),
+                        contents(entry.path()));
+    }
     ok &= scriptsAndDocuments(seeds);
     ok &= drawings(seeds);
     ok &= modifications(seeds);

@@ -16,9 +16,9 @@ namespace ew::test {
 namespace {
 
 /// From top to bottom; a room includes only what stands above it.
-constexpr std::array<std::string_view, 10> kRooms{
-    "core/base",     "core/stroke",  "core/edge_graph", "core/solid", "core/tlib",
-    "core/modeling", "core/surface", "core/document",   "ui",         "app"};
+constexpr std::array<std::string_view, 11> kRooms{
+    "core/base",     "core/stroke",  "core/edge_graph", "core/solid", "core/tlib", "core/modeling",
+    "core/surface",  "core/store",   "core/document",   "ui",         "app"};
 
 bool isUnder(std::string_view path, std::string_view folder) {
     return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
@@ -78,6 +78,7 @@ bool isQtHeader(std::string_view h) {
 bool isSolidLibraryHeader(std::string_view h) {
     return h.starts_with("OpenMesh/") || h.starts_with("CGAL/") || h.starts_with("opensubdiv/");
 }
+bool isSqliteHeader(std::string_view h) { return h.starts_with("sqlite3"); }
 bool isVtkHeader(std::string_view h) { return h.starts_with("vtk"); }
 
 const std::vector<Library>& libraries() {
@@ -87,6 +88,7 @@ const std::vector<Library>& libraries() {
          {"core/solid", "core/surface"},
          true,
          isSolidLibraryHeader},
+        {"SQLite", {"core/store"}, true, isSqliteHeader},
         {"VTK", {"ui/viewport"}, true, isVtkHeader},
     };
     return all;

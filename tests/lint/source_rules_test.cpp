@@ -40,8 +40,8 @@ TEST(SourceRules, RoomsBelowMayNot) {
 
 TEST(SourceRules, EveryRoomIsOrdered) {
     const std::vector<std::string> order{
-        "core/base",     "core/stroke",  "core/edge_graph", "core/solid", "core/tlib",
-        "core/modeling", "core/surface", "core/document",   "ui",         "app"};
+        "core/base",    "core/stroke", "core/edge_graph", "core/solid", "core/tlib", "core/modeling",
+        "core/surface", "core/store",  "core/document",   "ui",         "app"};
     for (std::size_t from = 0; from < order.size(); ++from) {
         for (std::size_t to = 0; to < order.size(); ++to) {
             const SourceTree tree{{order[from] + "/a.cpp", "#include \"" + order[to] + "/b.h\"\n"}};
@@ -95,6 +95,13 @@ TEST(SourceRules, PrivateHeadersDoNotLeaveTheirRoomEvenThroughOthers) {
         Texts{
             "core/modeling/a.cpp:3: core/solid/brep.h brings OpenMesh, CGAL and OpenSubdiv into a "
             "room that is not to know it"});
+}
+
+TEST(SourceRules, SqliteStaysInTheStore) {
+    const std::string sqlite = "#include <sqlite3.h>\n";
+    EXPECT_EQ(findings({{"core/store/database.cpp", sqlite}}), Texts{});
+    EXPECT_EQ(findings({{"core/document/store.cpp", sqlite}}),
+              Texts{"core/document/store.cpp:2: SQLite is not for this room: sqlite3.h"});
 }
 
 TEST(SourceRules, VtkStaysInTheViewport) {
