@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// edgewright-replay: replays a sketch script without a window. The contract is in
-// docs/sketch-script.md.
+// edgewright-replay: replays a sketch script, or tells of a document, without a window. The
+// contract is in docs/sketch-script.md.
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <cstdio>
+#include <optional>
 
 #include "app/screenshot_process.h"
+#include "core/document/document_compare.h"
 #include "core/document/file_names.h"
+#include "core/document/recovery.h"
 #include "core/document/replay.h"
 #include "core/document/replay_arguments.h"
 #include "core/document/report.h"
 #include "core/document/resources.h"
 #include "core/document/store.h"
+#include "core/document/work_copy.h"
 
 namespace {
 
@@ -36,17 +40,33 @@ ew::Result<ew::TemplateLibrary> templates(const ew::ReplayArguments& arguments) 
     return std::move(load->library);
 }
 
-ew::Result<ew::SketchScript> readScript(const ew::ReplayArguments& arguments) {
-    auto text = ew::readFileBytes(arguments.script, ew::kMaxScriptBytes);
-    if (!text) return ew::fail(text.error());
+/// What the command line names: a script, or a document with what was done in it as a script.
+struct Input {
+    ew::SketchScript script;
+    bool isDocument = false;
+};
+
+ew::Result<Input> readInput(const ew::ReplayArguments& arguments, ew::Document& document) {
+    auto bytes = ew::readFileBytes(arguments.script, ew::kMaxDocumentBytes);
+    if (!bytes) return ew::fail(bytes.error());
     const std::string name = QFileInfo(arguments.script).fileName().toStdString();
-    if (auto ok = ew::refuseOtherKinds(name, *text); !ok) return ew::fail(ok.error());
-    auto script = ew::readSketchScript(*text);
-    if (!script || arguments.until.isEmpty()) return script;
-    const auto end = ew::findStep(*script, arguments.until.toStdString());
+    if (auto ok = ew::refuseOtherKinds(name, *bytes); !ok) return ew::fail(ok.error());
+    Input input;
+    input.isDocument = ew::fileKind(*bytes) == ew::FileKind::Document;
+    if (input.isDocument) {
+        bytes = std::string();
+        if (auto ok = document.open(arguments.script); !ok) return ew::fail(ok.error());
+        input.script = document.recordedScript();
+    } else {
+        auto script = ew::readSketchScript(*bytes);
+        if (!script) return ew::fail(script.error());
+        input.script = *std::move(script);
+    }
+    if (arguments.until.isEmpty()) return input;
+    const auto end = ew::findStep(input.script, arguments.until.toStdString());
     if (!end) return ew::fail(end.error());
-    script->steps.resize(*end);
-    return script;
+    input.script.steps.resize(*end);
+    return input;
 }
 
 /// One line for every step but the strokes, of which there are many.
@@ -89,6 +109,11 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
         const QString path = here.absoluteFilePath(arguments.report);
         if (auto ok = ew::writeFileBytes(path, text); !ok) return ok;
     }
+    if (!arguments.saveScript.isEmpty()) {
+        const std::string text = ew::writeSketchScript(document.recordedScript());
+        const QString path = here.absoluteFilePath(arguments.saveScript);
+        if (auto ok = ew::writeFileBytes(path, text); !ok) return ok;
+    }
     const bool failedBefore = report.firstFailure() != nullptr;
     for (const QString& name : arguments.exports) {
         const auto note = document.exportTo(here.absoluteFilePath(name), arguments.faces);
@@ -106,27 +131,68 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
     return {};
 }
 
-int run(const ew::ReplayArguments& arguments) {
-    const auto script = readScript(arguments);
-    if (!script) return unusable(script.error());
-    const auto library = templates(arguments);
-    if (!library) return unusable(library.error());
-    if (!QDir().mkpath(arguments.outFolder)) {
-        return unusable({ew::Errc::CannotWrite,
-                         "The folder " + arguments.outFolder.toStdString() + " cannot be made.",
-                         {}});
-    }
-    ew::Document document(*library);
+/// Replays into a document, with a working copy of it where that was asked for.
+ew::Result<ew::ReplayReport> replayInto(ew::Document& document, const ew::SketchScript& script,
+                                        const ew::ReplayArguments& arguments) {
     ew::ReplayOptions options;
     options.scriptFolder = QFileInfo(arguments.script).absolutePath();
     options.outFolder = arguments.outFolder;
     options.keepGoing = arguments.keepGoing;
     options.allowOutside = arguments.allowOutside;
-    const ew::ReplayReport report =
-        ew::replay(document, *script, options, [](const ew::StepReport& step) {
+    std::optional<ew::WorkCopy> copy;
+    if (!arguments.workCopy.isEmpty()) {
+        copy.emplace(document,
+                     ew::WorkFolder(QDir::current().absoluteFilePath(arguments.workCopy)));
+    }
+    ew::Result<void> kept;
+    ew::ReplayReport report =
+        ew::replay(document, script, options, [&](const ew::StepReport& step) {
+            if (copy) kept = copy->flush();
+            if (!kept) return false;
             tell(step);
+            if (arguments.progress && step.ok) {
+                std::printf("done %d\n", step.index);
+                std::fflush(stdout);
+            }
             return true;
         });
+    if (!kept) return ew::fail(kept.error());
+    return report;
+}
+
+int recover(const ew::ReplayArguments& arguments) {
+    const auto library = templates(arguments);
+    if (!library) return unusable(library.error());
+    std::optional<QString> out;
+    if (arguments.namesOut) out = arguments.outFolder;
+    const ew::WorkFolder folder(QDir::current().absoluteFilePath(arguments.recover));
+    const auto list = ew::recoverCopies(folder, out, *library);
+    if (!list) return unusable(list.error());
+    std::fputs(list->c_str(), stdout);
+    return kDone;
+}
+
+int run(const ew::ReplayArguments& arguments) {
+    const auto library = templates(arguments);
+    if (!library) return unusable(library.error());
+    ew::Document opened(*library);
+    const auto input = readInput(arguments, opened);
+    if (!input) return unusable(input.error());
+    if (!QDir().mkpath(arguments.outFolder)) {
+        return unusable({ew::Errc::CannotWrite,
+                         "The folder " + arguments.outFolder.toStdString() + " cannot be made.",
+                         {}});
+    }
+    ew::Document replayed(*library);
+    const auto done = replayInto(replayed, input->script, arguments);
+    if (!done) return unusable(done.error());
+    const ew::ReplayReport& report = *done;
+    // A document is told of as it stands; its steps as they are when they are done again.
+    const bool asItStands = input->isDocument && arguments.until.isEmpty();
+    ew::Document& document = asItStands ? opened : replayed;
+    if (asItStands && !ew::identicalDocuments(opened, replayed)) {
+        std::printf("replayed by this version, the document comes out differently\n");
+    }
     tellSolid(document);
     std::fflush(stdout);
     const ew::StepReport* failed = report.firstFailure();
@@ -165,5 +231,5 @@ int main(int argc, char** argv) {
         std::printf("edgewright-replay %s\n", EDGEWRIGHT_VERSION);
         return kDone;
     }
-    return run(*arguments);
+    return arguments->recover.isEmpty() ? run(*arguments) : recover(*arguments);
 }

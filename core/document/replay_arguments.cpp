@@ -84,8 +84,17 @@ Result<void> ArgumentReader::option(const QString& name) {
         out_.keepGoing = true;
     else if (name == "--allow-outside")
         out_.allowOutside = true;
-    else if (name == "--out")
+    else if (name == "--progress")
+        out_.progress = true;
+    else if (name == "--out") {
+        out_.namesOut = true;
         return text(name, out_.outFolder);
+    } else if (name == "--work-copy")
+        return text(name, out_.workCopy);
+    else if (name == "--recover")
+        return text(name, out_.recover);
+    else if (name == "--save-script")
+        return text(name, out_.saveScript);
     else if (name == "--until")
         return text(name, out_.until);
     else if (name == "--report")
@@ -131,6 +140,10 @@ Result<ReplayArguments> ArgumentReader::read() {
         if (auto ok = isOption ? option(argument) : script(argument); !ok) return fail(ok.error());
     }
     if (out_.help || out_.version) return out_;
+    if (!out_.recover.isEmpty()) {
+        if (out_.script.isEmpty()) return out_;
+        return fail(Errc::BadValue, "--recover takes no script.");
+    }
     if (out_.script.isEmpty()) return fail(Errc::MissingKey, "No script was given.");
     if (out_.size && out_.screenshot.isEmpty()) {
         return fail(Errc::BadValue, "--size goes with --screenshot.");
@@ -179,8 +192,10 @@ Result<ReplayArguments> parseReplayArguments(const QStringList& arguments) {
 
 QString replayHelp() {
     return QStringLiteral(
-        "Usage: edgewright-replay SCRIPT [option...]\n"
-        "Replays a sketch script without a window.\n"
+        "Usage: edgewright-replay SCRIPT|DOCUMENT [option...]\n"
+        "       edgewright-replay --recover DIR [--out DIR2]\n"
+        "Replays a sketch script without a window, or tells of a document what it tells of a\n"
+        "script.\n"
         "\n"
         "  --out DIR              folder for what the script's save and export steps write; made\n"
         "                         if it is not there (default: the current folder)\n"
@@ -202,6 +217,12 @@ QString replayHelp() {
         "  --until STEP           stop before a step: its index, or its name and which of that\n"
         "                         name it is, as in apply:3 (fillet is the first fillet)\n"
         "  --report FILE.json     write the report\n"
+        "  --save-script FILE     write what was done as a sketch script\n"
+        "  --work-copy DIR        keep a working copy in this folder, as the window does: a step\n"
+        "                         that is told as done is safe, however the program ends\n"
+        "  --progress             print \"done N\" after each step\n"
+        "  --recover DIR          list the working copies in a folder as JSON; with --out also\n"
+        "                         write each as a document\n"
         "  --keep-going           go on after a step that failed\n"
         "  --templates DIR        use the templates of this folder only\n"
         "  --version, --help\n"

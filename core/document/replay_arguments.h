@@ -29,7 +29,7 @@ QStringList lookOptions(const PictureLook& look);
 
 /// The command line of edgewright-replay.
 struct ReplayArguments {
-    QString script;
+    QString script;  ///< or document
     QString outFolder = QStringLiteral(".");
     ExportFaces faces = ExportFaces::Simple;  ///< of exports
     QStringList exports;                      ///< relative to the current folder, or absolute
@@ -39,6 +39,12 @@ struct ReplayArguments {
     QString until;                     ///< empty: to the end; else as findStep() wants it
     QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
+    QString saveScript;                ///< empty: no; where what was done is written as a script
+    QString workCopy;                  ///< empty: none; folder for a working copy
+    QString recover;        ///< empty: no; folder of working copies to list, and to restore where
+                            ///< outFolder is named
+    bool namesOut = false;  ///< --out was given
+    bool progress = false;  ///< tell of each step when it is done
     bool keepGoing = false;
     bool allowOutside = false;  ///< steps may write and open files outside their folders
     bool help = false;
