@@ -22,6 +22,7 @@
 #include "ui/theme/appearance.h"
 #include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
+#include "ui/work_keeper.h"
 
 namespace {
 
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
         ew::Appearance::modeFromName(arguments->theme.isEmpty() ? remembered : arguments->theme));
     ew::MainWindowOptions options;
     options.remember = arguments->screenshot.isEmpty() && !arguments->firstFrame;
+    if (options.remember) options.workFolder = ew::WorkFolder::standardPath();
     ew::MainWindow window(load->library, appearance, options);
     if (arguments->size.isValid()) window.resize(arguments->size);
     if (!load->problems.empty()) window.messages().showError(load->problems.front());
@@ -153,6 +155,10 @@ int main(int argc, char** argv) {
     if (!arguments->file.isEmpty() && !window.files().openPath(arguments->file)) {
         // A person sees it in the window; for a picture that nobody is there for, it is said here.
         if (!options.remember) status = complain(window.messages().text().toStdString());
+    }
+    // Once the window is there to be asked in.
+    if (ew::WorkKeeper* work = window.workKeeper()) {
+        QTimer::singleShot(0, work, [work] { work->offerLost(); });
     }
     return QApplication::exec();
 }

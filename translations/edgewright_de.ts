@@ -715,6 +715,30 @@
         <source>a frustum</source>
         <translation>Pyramidenstumpf</translation>
     </message>
+    <message>
+        <source>%1 is damaged and cannot be opened whole: %2.</source>
+        <translation>%1 ist beschädigt und lässt sich nicht ganz öffnen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: The document was written by a later version (its schema is %2, this program reads up to %3); Edgewright %4 or later is needed.</source>
+        <translation>%1: Das Dokument stammt von einer späteren Version (sein Schema ist %2, dieses Programm liest bis %3); nötig ist Edgewright %4 oder später.</translation>
+    </message>
+    <message>
+        <source>Another window has this document open.</source>
+        <translation>Ein anderes Fenster hat dieses Dokument offen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made or written to.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen oder beschreiben.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>the file cannot be read or written (%1)</source>
+        <translation>die Datei lässt sich nicht lesen oder schreiben (%1)</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1276,6 +1300,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Wavefront OBJ, whole faces (*.obj)</source>
         <translation>Wavefront OBJ, ganze Flächen (*.obj)</translation>
     </message>
+    <message>
+        <source>Re&amp;vert to the saved file</source>
+        <translation>&amp;Zurück zur gespeicherten Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Recover…</source>
+        <translation>&amp;Wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Save a cop&amp;y…</source>
+        <translation>Kop&amp;ie speichern …</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window, too: %2.</source>
+        <translation>%1 ist auch in einem anderen Fenster offen: %2.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>A copy was saved to %1.</source>
+        <translation>Eine Kopie wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Everything that was done since %1 was saved is taken back.</source>
+        <translation>Alles, was geschah, seit %1 gespeichert wurde, wird zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Reverted to %1.</source>
+        <translation>Zurück auf dem Stand von %1.</translation>
+    </message>
 </context>
 <context>
     <name>ew::GraphPanel</name>
@@ -1530,6 +1586,51 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>%n Strich, der nicht dazugehört, bleibt.</numerusform>
             <numerusform>%n Striche, die nicht dazugehören, bleiben.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ew::RecoverDialog</name>
+    <message>
+        <source>Recover documents</source>
+        <translation>Dokumente wiederherstellen</translation>
+    </message>
+    <message>
+        <source>These documents were kept while they were being worked on. What is put away stays for 30 days.</source>
+        <translation>Diese Dokumente wurden aufbewahrt, während an ihnen gearbeitet wurde. Was weggelegt wird, bleibt noch 30 Tage.</translation>
+    </message>
+    <message>
+        <source>Documents that can be recovered</source>
+        <translation>Dokumente, die sich wiederherstellen lassen</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) waiting</source>
+        <translation>
+            <numerusform>%n wartender Strich</numerusform>
+            <numerusform>%n wartende Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Put away</source>
+        <translation>Weg&amp;legen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
     </message>
 </context>
 <context>
@@ -2097,6 +2198,24 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Draw with the pen or the left mouse button. The middle or right button orbits.</source>
         <translation>Mit dem Stift oder der linken Maustaste zeichnen. Die mittlere oder rechte Maustaste dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::WorkKeeper</name>
+    <message>
+        <source>What you do is not kept safe until it is saved: %1</source>
+        <translation>Was Sie tun, ist erst sicher, wenn es gespeichert ist: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to recover.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recovered: %n step(s), as of %1.</source>
+        <translation>
+            <numerusform>Wiederhergestellt: %n Schritt, Stand %1.</numerusform>
+            <numerusform>Wiederhergestellt: %n Schritte, Stand %1.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -73,4 +73,31 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ew::RecoverDialog</name>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) waiting</source>
+        <translation>
+            <numerusform>%n stroke waiting</numerusform>
+            <numerusform>%n strokes waiting</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::WorkKeeper</name>
+    <message numerus="yes">
+        <source>Recovered: %n step(s), as of %1.</source>
+        <translation>
+            <numerusform>Recovered: %n step, as of %1.</numerusform>
+            <numerusform>Recovered: %n steps, as of %1.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -17,6 +17,15 @@ constexpr const char* kContext = "Core";
 
 /// What the core says, with %1, %2 ... for what varies; of two that fit, the earlier one counts.
 constexpr const char* kSentences[] = {
+    QT_TRANSLATE_NOOP("Core", "%1 is damaged and cannot be opened whole: %2."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: The document was written by a later version (its schema is %2, this "
+                      "program reads up to %3); Edgewright %4 or later is needed."),
+    QT_TRANSLATE_NOOP("Core", "Another window has this document open."),
+    QT_TRANSLATE_NOOP("Core", "The folder %1 cannot be made or written to."),
+    QT_TRANSLATE_NOOP("Core", "there is no room left on the disk"),
+    QT_TRANSLATE_NOOP("Core", "there is not enough memory"),
+    QT_TRANSLATE_NOOP("Core", "the file cannot be read or written (%1)"),
     QT_TRANSLATE_NOOP("Core",
                       "A line ends %1 from what it should meet (the distance threshold is %2)."),
     QT_TRANSLATE_NOOP(

@@ -39,6 +39,7 @@
 #include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
 #include "ui/viewport/viewport_widget.h"
+#include "ui/work_keeper.h"
 
 namespace ew {
 
@@ -89,6 +90,7 @@ MainWindow::~MainWindow() {
     hide();
     delete tools_;
     surface_->settle();
+    delete work_;
     delete takeCentralWidget();
 }
 
@@ -125,7 +127,11 @@ void MainWindow::connectSurface() {
 void MainWindow::buildActions() {
     const WindowContext context{*document_, *reading_,  *apply_,    *tools_,
                                 *viewport_, *messages_, appearance_};
-    files_ = new FileActions(context, this);
+    if (!options_.workFolder.isEmpty()) {
+        work_ = new WorkKeeper(context, WorkFolder(options_.workFolder), this);
+    }
+    files_ = new FileActions(context, work_, this);
+    if (work_ != nullptr) work_->setQuestion([this] { return files_->mayDiscard(); });
     edits_ = new EditActions(context, this);
     views_ = new ViewActions(context, this);
     sketches_ = new SketchActions(context, this);

@@ -26,10 +26,12 @@ class SurfaceController;
 class ToolBox;
 class ViewActions;
 class ViewportWidget;
+class WorkKeeper;
 
 struct MainWindowOptions {
-    bool remember = true;  ///< size, panels, theme and switches, over runs
-    QSize available = {};  ///< of the screen, for the first size [logical px]; empty: asked for
+    bool remember = true;     ///< size, panels, theme and switches, over runs
+    QString workFolder = {};  ///< where working copies are kept; empty: none are
+    QSize available = {};     ///< of the screen, for the first size [logical px]; empty: asked for
 };
 
 /// The window: viewport and message bar in the middle, panels round it. It makes the parts and
@@ -58,6 +60,8 @@ class MainWindow : public QMainWindow {
     FileActions& files() { return *files_; }
     ViewActions& views() { return *views_; }
     SurfaceController& surface() { return *surface_; }
+    /// Null where no working copies are kept.
+    WorkKeeper* workKeeper() { return work_; }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -98,6 +102,7 @@ class MainWindow : public QMainWindow {
     SketchActions* sketches_ = nullptr;
     SurfaceController* surface_ = nullptr;
     SurfaceActions* surfaces_ = nullptr;
+    WorkKeeper* work_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QList<QDockWidget*> panels_;
 };

@@ -40,8 +40,9 @@ void WindowTest::SetUp() {
     ASSERT_TRUE(load->problems.empty()) << load->problems.front().message;
     appearance_ = std::make_unique<Appearance>();
     appearance_->setMode(Appearance::Mode::Light);
-    window_ = std::make_unique<MainWindow>(load->library, *appearance_,
-                                           MainWindowOptions{.remember = false});
+    window_ = std::make_unique<MainWindow>(
+        load->library, *appearance_,
+        MainWindowOptions{.remember = false, .workFolder = workFolder_});
     window_->files().setQuestion([] { return FileActions::Answer::Discard; });
     window_->applyController().setAutomatic(false);
     window_->resize(1280, 860);

@@ -51,6 +51,7 @@ class WindowTest : public testing::Test {
     std::unique_ptr<Appearance> appearance_;
     std::unique_ptr<MainWindow> window_;
     QTemporaryDir folder_;
+    QString workFolder_;  ///< for working copies; empty: none are kept
     Qt::KeyboardModifiers modifiers_ = Qt::NoModifier;
 
   private:

@@ -20,6 +20,7 @@
 #include "ui/theme/themed_icon.h"
 #include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
+#include "ui/work_keeper.h"
 
 namespace ew {
 
@@ -39,13 +40,15 @@ QStringList endingsOf(const QString& filters) {
 
 }  // namespace
 
-FileActions::FileActions(const WindowContext& context, QWidget* window)
+FileActions::FileActions(const WindowContext& context, WorkKeeper* work, QWidget* window)
     : QObject(window),
       newAction(new QAction(themedIcon("document-new"), tr("&New"), this)),
       openAction(new QAction(themedIcon("document-open"), tr("&Open\u2026"), this)),
       saveAction(new QAction(themedIcon("document-save"), tr("&Save"), this)),
       exportAction(new QAction(themedIcon("export"), tr("&Export\u2026"), this)),
+      revertAction(new QAction(tr("Re&vert to the saved file"), this)),
       context_(context),
+      work_(work),
       window_(window),
       folder_(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)) {
     newAction->setShortcut(QKeySequence::New);
@@ -60,8 +63,9 @@ FileActions::FileActions(const WindowContext& context, QWidget* window)
     connect(openAction, &QAction::triggered, this, &FileActions::open);
     connect(saveAction, &QAction::triggered, this, &FileActions::save);
     connect(exportAction, &QAction::triggered, this, &FileActions::exportSolid);
+    connect(revertAction, &QAction::triggered, this, &FileActions::revert);
     connect(&context_.document, &Document::changed, this, [this](DocumentChange what) {
-        if (what == DocumentChange::Bodies) refresh();
+        if (what == DocumentChange::Bodies || what == DocumentChange::File) refresh();
     });
     question_ = [this] {
         QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
@@ -94,11 +98,16 @@ void FileActions::fill(QMenu* menu) {
     menu->addAction(openAction);
     QMenu* examples = menu->addMenu(tr("Open e&xample"));
     connect(examples, &QMenu::aboutToShow, this, [this, examples] { fillExamples(examples); });
+    if (work_ != nullptr) {
+        menu->addAction(tr("&Recover\u2026"), work_, &WorkKeeper::offerAll);
+    }
     menu->addSeparator();
     menu->addAction(saveAction);
     QAction* as = menu->addAction(tr("Save &as\u2026"), this, &FileActions::saveAs);
     // Spelled out: not every desktop has a standard for it.
     as->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+S")));
+    menu->addAction(tr("Save a cop&y\u2026"), this, &FileActions::saveCopy);
+    menu->addAction(revertAction);
     menu->addAction(tr("Save what was done as a s&cript\u2026"), this, &FileActions::saveScript);
     menu->addSeparator();
     menu->addAction(exportAction);
@@ -129,7 +138,11 @@ void FileActions::fillExamples(QMenu* menu) {
     if (menu->isEmpty()) menu->addAction(tr("There are no examples"))->setEnabled(false);
 }
 
-void FileActions::refresh() { exportAction->setEnabled(!context_.document.state().bodies.empty()); }
+void FileActions::refresh() {
+    const Document& document = context_.document;
+    exportAction->setEnabled(!document.state().bodies.empty());
+    revertAction->setEnabled(!document.filePath().isEmpty() && document.isModified());
+}
 
 bool FileActions::report(const Result<void>& result, const QString& done) {
     if (!result) {
@@ -211,7 +224,21 @@ bool FileActions::openPath(const QString& path) {
     const bool script =
         kind == FileKind::Script || (kind == FileKind::Json && endsWith(path, kScriptEnding));
     if (script) return openScript(path, *text);
-    return report(context_.document.open(path), {});
+    return openDocument(path);
+}
+
+bool FileActions::openDocument(const QString& path) {
+    // Asked before this window is one of those that have it open.
+    const auto elsewhere =
+        work_ == nullptr || QFileInfo(path) == QFileInfo(context_.document.filePath())
+            ? std::nullopt
+            : work_->folder().openElsewhere(path);
+    QString told;
+    if (elsewhere) {
+        told = tr("%1 is open in another window, too: %2.")
+                   .arg(QFileInfo(path).fileName(), elsewhere->owner);
+    }
+    return report(context_.document.open(path), told);
 }
 
 bool FileActions::openScript(const QString& path, const std::string& text) {
@@ -262,6 +289,22 @@ bool FileActions::saveAs() {
     return !path.isEmpty() && saveTo(path);
 }
 
+void FileActions::saveCopy() {
+    const QString path =
+        askWhereTo({tr("Save a copy"), tr("Edgewright document (*.edgewright)"), {kScriptEnding}});
+    if (path.isEmpty()) return;
+    report(context_.document.saveCopy(path), tr("A copy was saved to %1.").arg(path));
+}
+
+void FileActions::revert() {
+    const QString path = context_.document.filePath();
+    const QString name = QFileInfo(path).fileName();
+    if (!replaceQuestion_(
+            tr("Everything that was done since %1 was saved is taken back.").arg(name)))
+        return;
+    report(context_.document.open(path), tr("Reverted to %1.").arg(name));
+}
+
 bool FileActions::saveTo(const QString& path) {
     Document& document = context_.document;
     if (QFileInfo(path) == QFileInfo(document.filePath()) && document.fileChangedByOthers() &&
@@ -271,6 +314,7 @@ bool FileActions::saveTo(const QString& path) {
         context_.messages.showNotice(tr("Not saved; \u201cSave as\u201d keeps both."));
         return false;
     }
+    if (work_ != nullptr) work_->takePicture();
     if (!report(document.save(path), {})) return false;
     return report({}, tr("Saved to %1.").arg(document.filePath()));
 }

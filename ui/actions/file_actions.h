@@ -13,6 +13,8 @@ class QWidget;
 
 namespace ew {
 
+class WorkKeeper;
+
 /// New, open, save, export, scripts and pictures.
 class FileActions : public QObject {
     Q_OBJECT
@@ -20,7 +22,8 @@ class FileActions : public QObject {
   public:
     enum class Answer { Save, Discard, Cancel };
 
-    FileActions(const WindowContext& context, QWidget* window);
+    /// \param work  null where no working copies are kept.
+    FileActions(const WindowContext& context, WorkKeeper* work, QWidget* window);
 
     /// Fills the File menu. Examples are looked for when their menu opens.
     void fill(QMenu* menu);
@@ -47,12 +50,15 @@ class FileActions : public QObject {
     QAction* openAction;
     QAction* saveAction;
     QAction* exportAction;
+    QAction* revertAction;
 
   private:
     void newDocument();
     void open();
     bool save();
     bool saveAs();
+    void saveCopy();
+    void revert();
     void saveScript();
     void exportSolid();
     void screenshot();
@@ -66,6 +72,7 @@ class FileActions : public QObject {
     /// this makes it the name of a file that is there, that is asked about, as the dialog does for
     /// names that are typed whole. \param filter  set to the filter that was chosen.
     QString askWhereTo(const SaveDialog& what, QString* filter = nullptr);
+    bool openDocument(const QString& path);
     bool openScript(const QString& path, const std::string& text);
     bool tellReplay(const ReplayReport& result, const SketchScript& script);
     void refresh();
@@ -75,6 +82,7 @@ class FileActions : public QObject {
     bool report(const Result<void>& result, const QString& done);
 
     WindowContext context_;
+    WorkKeeper* work_;
     QWidget* window_;
     std::function<Answer()> question_;
     ReplaceQuestion replaceQuestion_;
