@@ -3,8 +3,11 @@
 
 #include <QByteArray>
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
+#include <set>
+#include <thread>
 #include <unordered_map>
 
 #include "core/document/sketch_script_json.h"
@@ -103,6 +106,7 @@ class DatabaseReader {
     void readTemplates();
     void readStrokes();
     void readMapped();
+    void readSolids();
     void readState(const Fields& row);
     std::vector<Body> readBodies(const Fields& row);
     void readSteps();
@@ -237,6 +241,47 @@ void DatabaseReader::readMapped() {
     });
 }
 
+void DatabaseReader::readSolids() {
+    std::set<std::int64_t> named;
+    each(schema::kState, [&](const Fields& row) {
+        const json tree = row.tree(1);
+        for (const json& item : readArray(tree, row.place())) {
+            const ObjectReader body(item, row.place());
+            named.insert(readInt(body.require("solid"), body.at("solid"), 1, kMaxInt));
+        }
+    });
+    const std::vector<std::int64_t> ids(named.begin(), named.end());
+    for (const std::int64_t id : ids) known(blobs_, id, "state", "blob");
+    // Each is checked as if it were new, which is most of the work of opening a long history.
+    std::vector<std::optional<Result<Solid>>> read(ids.size());
+    std::atomic<std::size_t> next = 0;
+    const auto readSome = [&] {
+        for (std::size_t i = next++; i < ids.size(); i = next++) {
+            const PackedBlob& b = blobs_.at(ids[i]);
+            const auto text = unpackBlob(b.data, b.packed, b.size, b.sha);
+            read[i] = text ? Solid::deserialize(*text) : Result<Solid>(fail(text.error()));
+        }
+    };
+    {
+        constexpr std::size_t kWorthAThread = 8;
+        constexpr std::size_t kMostThreads = 8;
+        const std::size_t processors =
+            std::min<std::size_t>(kMostThreads, std::max(1U, std::thread::hardware_concurrency()));
+        std::vector<std::jthread> helpers;
+        while (helpers.size() + 1 < std::min(processors, ids.size() / kWorthAThread)) {
+            helpers.emplace_back(readSome);
+        }
+        readSome();
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (!*read[i]) {
+            throwRead((*read[i]).error().code,
+                      "blob " + std::to_string(ids[i]) + ": " + (*read[i]).error().message);
+        }
+        solids_.emplace(ids[i], **std::move(read[i]));
+    }
+}
+
 std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
     std::vector<Body> bodies;
     const json tree = row.tree(1);
@@ -244,13 +289,8 @@ std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
         const ObjectReader body(item, itemPlace(row.place(), bodies.size()));
         body.allowOnly({"solid", "rotation", "translation"});
         const int id = readInt(body.require("solid"), body.at("solid"), 1, kMaxInt);
-        auto solid = solids_.find(id);
-        if (solid == solids_.end()) {
-            auto read = Solid::deserialize(blob(id, body.place()));
-            if (!read) throwRead(read.error().code, body.place() + ": " + read.error().message);
-            solid = solids_.emplace(id, *std::move(read)).first;
-        }
-        bodies.push_back({solid->second, poseFromJson(body)});
+        const auto& solid = known(solids_, id, body.place(), "solid");
+        bodies.push_back({solid, poseFromJson(body)});
     }
     return bodies;
 }
@@ -304,6 +344,9 @@ void DatabaseReader::readSteps() {
 }
 
 void DatabaseReader::readInk() {
+    int least = 0;
+    for (const PendingStroke& s : file_.strokes) least = std::max(least, s.id + 1);
+    file_.nextStrokeId = settingInt("next_stroke", least, kMaxInt);
     file_.nextInkSerial = settingInt("next_ink", 0, kMaxInt);
     std::size_t rows = 0;
     each(schema::kInk, [&](const Fields& row) {
@@ -320,7 +363,11 @@ void DatabaseReader::readInk() {
         }
         StoredInkChange change;
         change.serial = row.number(2, 0, file_.nextInkSerial - 1);
-        change.added = strokeIds(row, 3);
+        // These may be gone: taken back, and then something else was done.
+        change.added = idsFromJson(row.tree(3), row.place());
+        if (!change.added.empty() && change.added.back() >= file_.nextStrokeId) {
+            throwRead(Errc::BadValue, row.place() + ": a stroke that was never drawn");
+        }
         change.removed = strokeIds(row, 4);
         change.withdrawn = strokeIds(row, 5);
         changes->push_back(std::move(change));
@@ -334,9 +381,6 @@ void DatabaseReader::readPending() {
         known(strokes_, file_.pending.back(), row.place(), "stroke");
     });
     checkRows("pending", file_.pending.size());
-    int least = 0;
-    for (const PendingStroke& s : file_.strokes) least = std::max(least, s.id + 1);
-    file_.nextStrokeId = settingInt("next_stroke", least, kMaxInt);
 }
 
 void DatabaseReader::readScript() {
@@ -383,6 +427,7 @@ DocumentFile DatabaseReader::read() {
     readTemplates();
     readStrokes();
     readMapped();
+    readSolids();
     each(schema::kState, [&](const Fields& row) { readState(row); });
     readSteps();
     readInk();

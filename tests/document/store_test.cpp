@@ -119,6 +119,21 @@ RC_GTEST_PROP(Store, WorkGoesOnAfterOpeningAsIfItHadNeverBeenClosed, ()) {
     }
 }
 
+TEST(Store, AStrokeThatIsGoneForGoodDoesNotKeepADocumentFromOpening) {
+    const auto d = fakeDocument();
+    ASSERT_TRUE(d->addStroke(line({0, 5}, {9, 9})));
+    ASSERT_TRUE(d->defineTemplate(test::boxTemplate("t", "T")));
+    ASSERT_TRUE(d->undo());
+    ASSERT_TRUE(d->undoInk());
+    ASSERT_TRUE(d->redo());  // the step, which still knows that a stroke was drawn before it
+    const QTemporaryDir folder;
+    ASSERT_TRUE(d->save(folder.filePath("d.edgewright")));
+    const auto e = fakeDocument();
+    const auto opened = e->open(folder.filePath("d.edgewright"));
+    ASSERT_TRUE(opened) << opened.error().message;
+    expectSame(*d, *e);
+}
+
 TEST(Store, KeepsEachSolidOnce) {
     const auto d = fakeDocument();
     ASSERT_TRUE(d->addStroke(line({0, 0}, {5, 5})));
