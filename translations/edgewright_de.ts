@@ -1993,8 +1993,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Wie weit die Richtungen zweier Linien abweichen dürfen, damit sie noch als parallel gelten.</translation>
     </message>
     <message>
-        <source>Back to %1 px and %2°</source>
-        <translation>Zurück auf %1 px und %2°</translation>
+        <source>Distance from the drawing</source>
+        <translation>Abstand aus der Zeichnung</translation>
+    </message>
+    <message>
+        <source>The distance grows with a large drawing whose lines leave wide gaps. Setting it by hand ends this; a tick here brings it back.</source>
+        <translation>Der Abstand wächst mit einer großen Zeichnung, deren Linien weite Lücken lassen. Wer ihn von Hand setzt, beendet das; ein Haken hier holt es zurück.</translation>
+    </message>
+    <message>
+        <source>Distance from the drawing, angle back to %1°</source>
+        <translation>Abstand aus der Zeichnung, Winkel zurück auf %1°</translation>
     </message>
     <message>
         <source>%1 threshold</source>

@@ -401,6 +401,7 @@ class Explainer {
         std::vector<Similar> similar;
         for (const auto& entry : library_.index().entries) {
             for (const Aspect& a : entry->aspects) {
+                if (a.edgeOn) continue;  // fits little ink, and is a question at best
                 std::vector<int> d(a.vertex.size(), 0);
                 for (const auto& e : a.graph.edges) {
                     ++d[at(e[0])];

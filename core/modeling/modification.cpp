@@ -490,7 +490,6 @@ class Modification {
     std::optional<Error> problem_;
     ModificationReading out_;
 };
-
 }  // namespace
 
 ModificationReading readModification(const InkReading& ink, const TemplateLibrary& library,
