@@ -228,6 +228,14 @@
         <translation>Der Körper zerfällt in %1 Teile.</translation>
     </message>
     <message>
+        <source>A hidden face was moved so that it meets nothing undrawn.</source>
+        <translation>Eine verdeckte Fläche wurde verschoben, sodass sie auf nichts trifft, was nicht gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Hidden faces meet faces that were not drawn on.</source>
+        <translation>Verdeckte Flächen treffen auf Flächen, auf denen nichts gezeichnet ist.</translation>
+    </message>
+    <message>
         <source>It closes off a hollow inside the solid.</source>
         <translation>Im Inneren des Körpers wird ein Hohlraum eingeschlossen.</translation>
     </message>
