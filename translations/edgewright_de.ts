@@ -228,6 +228,14 @@
         <translation>Der Körper zerfällt in %1 Teile.</translation>
     </message>
     <message>
+        <source>A hidden face was moved so that it meets nothing undrawn.</source>
+        <translation>Eine verdeckte Fläche wurde verschoben, sodass sie auf nichts trifft, was nicht gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Hidden faces meet faces that were not drawn on.</source>
+        <translation>Verdeckte Flächen treffen auf Flächen, auf denen nichts gezeichnet ist.</translation>
+    </message>
+    <message>
         <source>It closes off a hollow inside the solid.</source>
         <translation>Im Inneren des Körpers wird ein Hohlraum eingeschlossen.</translation>
     </message>
@@ -2094,8 +2102,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Wie weit die Richtungen zweier Linien abweichen dürfen, damit sie noch als parallel gelten.</translation>
     </message>
     <message>
-        <source>Back to %1 px and %2°</source>
-        <translation>Zurück auf %1 px und %2°</translation>
+        <source>Distance from the drawing</source>
+        <translation>Abstand aus der Zeichnung</translation>
+    </message>
+    <message>
+        <source>The distance grows with a large drawing whose lines leave wide gaps. Setting it by hand ends this; a tick here brings it back.</source>
+        <translation>Der Abstand wächst mit einer großen Zeichnung, deren Linien weite Lücken lassen. Wer ihn von Hand setzt, beendet das; ein Haken hier holt es zurück.</translation>
+    </message>
+    <message>
+        <source>Distance from the drawing, angle back to %1°</source>
+        <translation>Abstand aus der Zeichnung, Winkel zurück auf %1°</translation>
     </message>
     <message>
         <source>%1 threshold</source>

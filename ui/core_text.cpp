@@ -124,6 +124,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "The drawing leaves %1 measures open; the most regular shape was taken."),
     QT_TRANSLATE_NOOP("Core", "The solid falls into %1 separate pieces."),
+    QT_TRANSLATE_NOOP("Core", "A hidden face was moved so that it meets nothing undrawn."),
+    QT_TRANSLATE_NOOP("Core", "Hidden faces meet faces that were not drawn on."),
     QT_TRANSLATE_NOOP("Core", "It closes off a hollow inside the solid."),
     QT_TRANSLATE_NOOP("Core", "There is no solid yet."),
     QT_TRANSLATE_NOOP("Core", "No edge is chosen."),

@@ -6,6 +6,7 @@
 
 #include "core/base/tolerance.h"
 #include "core/document/document_private.h"
+#include "core/reading/interpret.h"
 #include "core/stroke/suited_distance.h"
 
 namespace ew {

@@ -13,7 +13,7 @@
 #include "core/document/derived_shape.h"
 #include "core/document/export_faces.h"
 #include "core/document/sketch_script.h"
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 #include "core/solid/solid.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/library.h"

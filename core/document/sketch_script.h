@@ -11,7 +11,7 @@
 #include "core/base/camera.h"
 #include "core/base/result.h"
 #include "core/document/export_faces.h"
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/template.h"
 

@@ -127,13 +127,14 @@ class ChordFlips {
 
     bool perform(const Flip& flip) {
         const std::size_t t = flip.triangle;
+        if (touched_.contains(t)) return false;  // it is no longer the one that was found
         const Ids corners = ids(t);
         const Ids normals = normalIds(t);
         const std::size_t i = flip.side;
         const std::size_t j = (i + 1) % 3;
         const std::size_t k = (i + 2) % 3;
         const int other = beyond_.at(sideKey(corners[j], corners[i]));
-        if (other < 0 || touched_.contains(t) || touched_.contains(at(other))) return false;
+        if (other < 0 || touched_.contains(at(other))) return false;
         const Ids far = ids(at(other));
         const Ids farNormals = normalIds(at(other));
         const std::size_t m =

@@ -166,6 +166,29 @@ class FlatParts {
         triangles.push_back({t[2], t[0], point});
     }
 
+    /// Has the surface outside of a part a side that this cut of the part makes inside it? The two
+    /// would be one edge with four triangles.
+    bool joinsOutside(const std::vector<std::array<int, 3>>& cut,
+                      const std::vector<std::size_t>& part, const std::vector<int>& border) const {
+        std::unordered_set<std::uint64_t> made;
+        for (const auto& t : cut) {
+            for (std::size_t c = 0; c < 3; ++c) made.insert(sideKey(t[c], t[(c + 1) % 3]));
+        }
+        std::vector<bool> isBorder(surface_.positions.size(), false);
+        for (const int point : border) isBorder[at(point)] = true;
+        std::vector<bool> inPart(surface_.triangles.size(), false);
+        for (const std::size_t t : part) inPart[t] = true;
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            if (inPart[t]) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const int a = surface_.triangles[t][c];
+                const int b = surface_.triangles[t][(c + 1) % 3];
+                if (isBorder[at(a)] && isBorder[at(b)] && made.contains(sideKey(a, b))) return true;
+            }
+        }
+        return false;
+    }
+
     /// \return false where that is not possible.
     bool cutAnew(const std::vector<int>& region) {
         std::vector<std::size_t> part;
@@ -198,6 +221,7 @@ class FlatParts {
         const std::vector<std::span<const int>> spans(loops.begin(), loops.end());
         auto cut = triangulatePlanar(surface_.positions, spans, up, &inside);
         if (!cut || cut->size() + 2 * (all.size() - inside.size()) != part.size()) return false;
+        if (joinsOutside(*cut, part, onBorder)) return false;
         for (const int point : all) {
             if (!std::binary_search(inside.begin(), inside.end(), point)) splitLargest(point, *cut);
         }

@@ -12,6 +12,7 @@
 #include "core/surface/chord_flips.h"
 #include "core/surface/congruent_faces.h"
 #include "core/surface/flat_parts.h"
+#include "core/surface/sliver_collapse.h"
 #include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
 #include "core/surface/surface_pattern.h"
@@ -75,6 +76,7 @@ class Tessellator {
         mendNormals();
         unfoldFlatParts(cage_, out_);
         flipBadTriangles(out_);
+        collapseSlivers(out_);
         return std::move(out_);
     }
 

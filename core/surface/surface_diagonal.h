@@ -19,8 +19,8 @@ inline bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c, double least) {
 }
 
 /// Heights below this are lost in single precision, in which surfaces are exported [mm].
-/// \param farthest  largest coordinate [mm].
-inline double leastHeight(double farthest) { return 2.0 * tol::kSingleStep * farthest; }
+/// \param farthest  largest coordinate [mm]; in the world it may be somewhat larger.
+inline double leastHeight(double farthest) { return 3.0 * tol::kSingleStep * farthest; }
 
 /// A point of a surface.
 struct SurfacePoint {

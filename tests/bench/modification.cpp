@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/modeling/interpretation.h"
+#include "core/reading/interpret.h"
 #include "core/solid/visibility.h"
 #include "core/tlib/library.h"
 #include "tests/bench/recognition_report.h"

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "core/edge_graph/build.h"
-#include "core/modeling/interpretation.h"
-#include "core/modeling/joint_graph.h"
-#include "core/modeling/modification.h"
+#include "core/reading/extract/joint_graph.h"
+#include "core/reading/interpret.h"
+#include "core/reading/propose/modification.h"
 #include "core/solid/boolean.h"
 #include "core/tlib/library.h"
 #include "tests/support/modification_cases.h"

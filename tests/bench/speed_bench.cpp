@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/edge_graph/build.h"
-#include "core/modeling/interpretation.h"
+#include "core/reading/interpret.h"
 #include "core/tlib/library.h"
 #include "core/tlib/matcher.h"
 #include "tests/support/sketch_generator.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 #include "core/tlib/library.h"
 
 namespace ew::fuzz {

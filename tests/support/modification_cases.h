@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/camera.h"
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 #include "tests/support/hand_model.h"
 #include "tests/support/modification_shapes.h"
 

@@ -51,6 +51,29 @@ TEST_F(Reading, ClearDrawingIsAcceptedAndShownInThePanels) {
     EXPECT_TRUE(child<QAbstractButton>("candidate1").isVisible());
 }
 
+TEST_F(Reading, TheDistanceFollowsTheDrawingUntilItIsSetAndAgainWhenAsked) {
+    auto& automatic = child<QCheckBox>("automaticDistance");
+    auto& number = child<QDoubleSpinBox>("distanceNumber");
+    EXPECT_TRUE(automatic.isChecked());
+    number.setValue(22.5);
+    EXPECT_FALSE(automatic.isChecked());
+    EXPECT_FALSE(document().automaticDistance());
+    automatic.click();
+    EXPECT_TRUE(automatic.isChecked());
+    EXPECT_TRUE(document().automaticDistance());
+    EXPECT_EQ(number.value(), Thresholds{}.distancePx);
+
+    auto& reset = child<QPushButton>("resetThresholds");
+    EXPECT_FALSE(reset.isEnabled());
+    child<QSlider>("distanceSlider").setValue(50);
+    child<QDoubleSpinBox>("angleNumber").setValue(20.0);
+    EXPECT_FALSE(automatic.isChecked());
+    reset.click();
+    EXPECT_TRUE(automatic.isChecked());
+    EXPECT_EQ(document().thresholds(), Thresholds{});
+    EXPECT_FALSE(reset.isEnabled());
+}
+
 TEST_F(Reading, TheStrokeUnderWayIsReadBeforeThePenIsUp) {
     auto lines = boxLines();
     const auto last = lines.back();

@@ -4,7 +4,7 @@
 #include <QAbstractButton>
 #include <QImage>
 
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 
 namespace ew {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/threshold_panel.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -25,7 +26,10 @@ int toSlider(double value) { return static_cast<int>(std::lround(value / kStep))
 }  // namespace
 
 ThresholdPanel::ThresholdPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), reset_(new QPushButton(tr("Reset"), this)) {
+    : QWidget(parent),
+      document_(document),
+      automatic_(new QCheckBox(tr("Distance from the drawing"), this)),
+      reset_(new QPushButton(tr("Reset"), this)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(metrics::kMargin, metrics::kGap, metrics::kMargin, metrics::kMargin);
     grid->setHorizontalSpacing(metrics::kSpace);
@@ -44,15 +48,25 @@ ThresholdPanel::ThresholdPanel(Document& document, QWidget* parent)
     angle_.slider->setObjectName(QStringLiteral("angleSlider"));
     distance_.number->setObjectName(QStringLiteral("distanceNumber"));
     angle_.number->setObjectName(QStringLiteral("angleNumber"));
-    const Thresholds standard;
+    automatic_->setObjectName(QStringLiteral("automaticDistance"));
+    automatic_->setToolTip(
+        tr("The distance grows with a large drawing whose lines leave wide gaps. Setting it by "
+           "hand ends this; a tick here brings it back."));
+    grid->addWidget(automatic_, 2, 0, 1, 2);
+    reset_->setObjectName(QStringLiteral("resetThresholds"));
     reset_->setIcon(themedIcon(QStringLiteral("reset")));
     reset_->setToolTip(
-        tr("Back to %1 px and %2\u00b0").arg(standard.distancePx).arg(standard.angleDeg));
+        tr("Distance from the drawing, angle back to %1\u00b0").arg(Thresholds{}.angleDeg));
     reset_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     grid->addWidget(reset_, 2, 2, Qt::AlignRight);
     grid->setRowMinimumHeight(2, reset_->sizeHint().height() + metrics::kGap);
-    connect(reset_, &QPushButton::clicked, this,
-            [this] { (void)document_.setThresholds(Thresholds{}); });
+    connect(automatic_, &QCheckBox::toggled, this, [this](bool on) {
+        if (!refreshing_) document_.setAutomaticDistance(on);
+    });
+    connect(reset_, &QPushButton::clicked, this, [this] {
+        (void)document_.setThresholds({document_.thresholds().distancePx, Thresholds{}.angleDeg});
+        document_.setAutomaticDistance(true);
+    });
     connect(&document_, &Document::changed, this, [this](DocumentChange what) {
         if (what == DocumentChange::Thresholds) refresh();
     });
@@ -106,7 +120,8 @@ void ThresholdPanel::refresh() {
     distance_.slider->setValue(toSlider(t.distancePx));
     angle_.number->setValue(t.angleDeg);
     angle_.slider->setValue(toSlider(t.angleDeg));
-    reset_->setEnabled(!(t == Thresholds{}));
+    automatic_->setChecked(document_.automaticDistance());
+    reset_->setEnabled(!document_.automaticDistance() || t.angleDeg != Thresholds{}.angleDeg);
     refreshing_ = false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QPushButton;
 class QSlider;
@@ -30,6 +31,7 @@ class ThresholdPanel : public QWidget {
     Document& document_;
     Row distance_;
     Row angle_;
+    QCheckBox* automatic_;  ///< the distance threshold follows the drawing
     QPushButton* reset_;
     bool refreshing_ = false;
 };

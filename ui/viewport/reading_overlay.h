@@ -4,7 +4,7 @@
 #include <QRectF>
 #include <QTransform>
 
-#include "core/modeling/interpretation.h"
+#include "core/reading/types/interpretation.h"
 #include "ui/theme/colours.h"
 
 class QPainter;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/types/interpretation.h"
+
+namespace ew {
+
+std::string_view operationName(Operation op) {
+    switch (op) {
+        case Operation::Auto:
+            return "auto";
+        case Operation::Create:
+            return "create";
+        case Operation::Add:
+            return "add";
+        case Operation::Cut:
+            return "cut";
+    }
+    return "auto";
+}
+
+}  // namespace ew

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to core/surface.
+#pragma once
+
+#include "core/surface/subdivision.h"
+
+namespace ew {
+
+/// Takes out triangles without an area that flipBadTriangles left: one of their sides is drawn
+/// together into one of its ends, the shortest that can be. The surface stays closed and
+/// 2-manifold, and no other triangle is turned over or loses its area; what cannot be mended so
+/// stays. Points that no triangle needs any more are dropped. O(triangles) where there is anything
+/// to do.
+void collapseSlivers(SurfaceMesh& surface);
+
+}  // namespace ew
