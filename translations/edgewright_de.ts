@@ -500,6 +500,18 @@
         <translation>Ein gerades Prisma über einem beliebigen Dreieck.</translation>
     </message>
     <message>
+        <source>Prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>Frustum</source>
+        <translation>Stumpf</translation>
+    </message>
+    <message>
         <source>Triangular pyramid</source>
         <translation>Dreieckspyramide</translation>
     </message>

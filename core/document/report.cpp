@@ -63,6 +63,15 @@ Json candidatesJson(const Interpretation& reading) {
     return list;
 }
 
+/// The T-LIB steps that a reading consists of, with the edges of the graph that they explain.
+Json partsJson(const Interpretation& reading, const Candidate& c) {
+    Json edges = Json::array();
+    for (std::size_t e = 0; e < reading.graph.edges.size(); ++e) edges.push_back(e);
+    return Json::array({Json{{"template", c.templateId},
+                             {"operation", operationName(c.operation)},
+                             {"edges", std::move(edges)}}});
+}
+
 Json matchJson(const Interpretation& reading, int chosen) {
     const Candidate& c = reading.candidates[static_cast<std::size_t>(chosen)];
     return {{"template", c.templateId},
@@ -72,6 +81,8 @@ Json matchJson(const Interpretation& reading, int chosen) {
             {"residual_px", c.residualPx},
             {"reading", c.readingId},
             {"notes", c.notes},
+            {"camera", c.depth == DepthRule::Perspective ? "perspective" : "parallel"},
+            {"parts", partsJson(reading, c)},
             {"candidates", candidatesJson(reading)}};
 }
 

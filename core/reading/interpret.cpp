@@ -1,11 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/interpret.h"
 
+#include <algorithm>
+
 #include "core/edge_graph/build.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
+#include "core/reading/propose/whole_drawing.h"
+#include "core/tlib/library_index.h"
 
 namespace ew {
+
+namespace {
+
+/// Most lines that any view of a template has.
+std::size_t mostLines(const TemplateLibrary& library) {
+    std::size_t most = 0;
+    for (const auto& entry : library.index().entries) {
+        for (const Aspect& a : entry->aspects) most = std::max(most, a.graph.edges.size());
+    }
+    return most;
+}
+
+/// Does a reading by templates say no more than that there is none, or offer only some that have
+/// edges too many or too few? What it can tell better (a gap, a choice, a flat outline) is the
+/// person's to mend.
+bool foundNothing(const Interpretation& reading) {
+    if (reading.accepted || !reading.problem) return false;
+    const Errc code = reading.problem->code;
+    if (code == Errc::NoMatch || code == Errc::NotParallel || code == Errc::NoSolution) return true;
+    if (code != Errc::Ambiguous || reading.candidates.empty()) return false;
+    const Candidate& best = reading.candidates.front();
+    return best.missingEdges > 0 || best.extraEdges > 0 || !best.unusedStrokes.empty();
+}
+
+Interpretation wholeOf(WholeReading whole) {
+    Interpretation read;
+    read.graph = std::move(whole.graph);
+    read.candidates = std::move(whole.candidates);
+    read.accepted = 0;
+    return read;
+}
+
+/// One template, or the drawing as a whole. What has more lines than any template shows is read as
+/// a whole first: looking for what may be wrong with it takes long.
+Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& library,
+                               const InterpretOptions& options) {
+    const bool any = options.templateId.empty();
+    const bool wholeFirst = any && ink.segments.size() > mostLines(library);
+    if (wholeFirst) {
+        WholeReading whole = readWholeDrawing(ink, library, options);
+        const bool more = whole.graph.edges.size() > mostLines(library);
+        if (whole.clear && more && !whole.isKnown) return wholeOf(std::move(whole));
+    }
+    Interpretation out = readFreeDrawing(ink, library, options);
+    if (!any || !foundNothing(out)) return out;
+    WholeReading whole = readWholeDrawing(ink, library, options);
+    return whole.clear ? wholeOf(std::move(whole)) : out;
+}
+
+}  // namespace
 
 Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
                          const InterpretOptions& options) {
@@ -42,7 +96,7 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         return out;
     }
     if (options.bodies.empty() || options.operation == Operation::Create) {
-        return readFreeDrawing(ink, library, options);
+        return readInFreeSpace(ink, library, options);
     }
     ModificationReading change = readModification(ink, library, options);
     if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {

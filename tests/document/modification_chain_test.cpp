@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "core/document/document.h"
+#include "core/reading/interpret.h"
 #include "core/solid/boolean.h"
 #include "tests/document/fixtures.h"
 #include "tests/support/modification_cases.h"

@@ -12,6 +12,7 @@
 #include <QUndoStack>
 #include <atomic>
 
+#include "core/reading/interpret.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/apply_controller.h"
 #include "ui/live_reading.h"

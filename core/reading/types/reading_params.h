@@ -57,4 +57,36 @@ inline constexpr double kPerspectiveCost = 8.0;
 /// Strongest perspective that is looked for: kappa of PerspectivePicture, about 75 degrees of view.
 inline constexpr double kMostPerspective = 1.5;
 
+/// Two lines of a junction that turn by less are one line that goes on [degrees].
+inline constexpr double kStraightDeg = 8.0;
+
+/// The steadiest hand strays so far from a straight line, rms [px].
+inline constexpr double kLeastWobblePx = 0.5;
+
+/// A free polyhedron that fits its drawing better than this was drawn exactly [px].
+inline constexpr double kExactPx = 0.1;
+
+/// Price of ink that a picture leaves, and of an edge that it has without ink [per distance
+/// threshold of its length].
+inline constexpr double kStrayCost = 6.0;
+
+/// A whole drawing is read where no more than this share of the ink disagrees with the picture
+/// (measured: right ones up to 8%, wrong ones from 17%), and no other solid within kOtherResidue
+/// costs less than kWholeMargin more.
+inline constexpr double kWholeResidue = 0.08;
+inline constexpr double kOtherResidue = 0.12;
+inline constexpr double kWholeMargin = 8.0;
+/// ... and its corners are no farther from where they were drawn than this many variances.
+inline constexpr double kWholeMisfit = 2.5;
+
+/// A corner that stands out from the line past it by less than this may be no corner [standard
+/// deviations of a drawn corner].
+inline constexpr double kFaintCorner = 2.5;
+
+/// Price of a direction of faces that is across no axis of a solid, besides its freedom.
+inline constexpr double kSlantCost = 6.0;
+
+/// Solids of one topology whose volumes differ by less are one to a person.
+inline constexpr double kSameVolume = 0.1;
+
 }  // namespace ew::params

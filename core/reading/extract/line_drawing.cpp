@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/extract/line_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double turnDeg(const Vec2& a, const Vec2& b) {
+    return std::abs(std::atan2(cross2(a, b), a.dot(b))) * 180.0 / std::numbers::pi;
+}
+
+/// The stem of a T junction: the one line of three that is not part of a straight pair. Of several
+/// pairs that may be one the straightest counts.
+int stemOf(const LineDrawing& drawing, const LineDrawing::Node& node) {
+    if (node.out.size() != 3) return -1;
+    int stem = -1;
+    double least = drawing.straightDeg;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double turn =
+            turnDeg(-drawing.vector(node.out[(k + 1) % 3]), drawing.vector(node.out[(k + 2) % 3]));
+        if (turn >= least) continue;
+        least = turn;
+        stem = node.out[k];
+    }
+    return stem;
+}
+
+void addRegion(LineDrawing& drawing, const PlaneFace& face) {
+    LineDrawing::Region region;
+    region.loop = face.loop;
+    region.areaPx = std::abs(face.area);
+    const std::size_t n = face.loop.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const int in = face.loop[k];
+        const int out = face.loop[(k + 1) % n];
+        if (drawing.straightThrough(in, out)) continue;
+        const int node = drawing.to(in);
+        region.corners.push_back(node);
+        const int stem = drawing.nodes[at(node)].stem;
+        if (stem >= 0 && (stem == out || stem == LineDrawing::twin(in))) region.partly = true;
+    }
+    const int id = static_cast<int>(drawing.regions.size());
+    for (const int d : face.loop) drawing.left[at(d)] = id;
+    drawing.regions.push_back(std::move(region));
+}
+
+}  // namespace
+
+bool LineDrawing::straightThrough(int in, int out) const {
+    return turnDeg(vector(in), vector(out)) < straightDeg;
+}
+
+LineDrawing lineDrawing(const EdgeGraph& graph, double straightDeg) {
+    LineDrawing drawing;
+    drawing.straightDeg = straightDeg;
+    PlaneGraph plane;
+    for (const Junction& j : graph.junctions) {
+        plane.points.push_back(j.position);
+        drawing.nodes.push_back({j.position, {}, -1});
+    }
+    for (const GraphEdge& e : graph.edges) plane.edges.push_back(e.ends);
+    const RotationSystem rotation = rotationOf(plane);
+    drawing.from = rotation.origin;
+    drawing.left.assign(drawing.from.size(), -1);
+    for (int d = 0; d < rotation.directedCount(); ++d) {
+        LineDrawing::Node& node = drawing.nodes[at(rotation.origin[at(d)])];
+        if (!node.out.empty()) continue;
+        int next = d;
+        do {
+            node.out.push_back(next);
+            next = rotation.next[at(next)];
+        } while (next != d);
+    }
+    for (LineDrawing::Node& node : drawing.nodes) node.stem = stemOf(drawing, node);
+    std::vector<PlaneFace> faces = facesOf(plane, rotation);
+    const auto outer = std::max_element(
+        faces.begin(), faces.end(),
+        [](const PlaneFace& a, const PlaneFace& b) { return std::abs(a.area) < std::abs(b.area); });
+    for (auto it = faces.begin(); it != faces.end(); ++it) {
+        if (it == outer) {
+            drawing.outline = it->loop;
+        } else {
+            addRegion(drawing, *it);
+        }
+    }
+    return drawing;
+}
+
+}  // namespace ew

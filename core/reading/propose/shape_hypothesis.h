@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/reading/extract/line_drawing.h"
+#include "core/reading/solve/polyhedron_fit.h"
+
+namespace ew {
+
+/// A solid that a drawing may show: all its faces, with rough places, and which of its corners are
+/// which nodes of the drawing.
+struct ShapeHypothesis {
+    std::string family;             ///< "prism", "pyramid", "frustum", "polyhedron"
+    int sides = 0;                  ///< corners of the base, 0 for a polyhedron
+    PolyhedronSpec rough;           ///< camera space [px], faces counter-clockwise from outside
+    Mat3 frame = Mat3::Identity();  ///< body to camera
+    std::vector<int> node;          ///< per vertex: node of the drawing, -1 where it is not seen
+    std::vector<DrawnStretch> stretches;  ///< lines that end behind something
+    std::vector<int> ring;  ///< faces round the third axis, where they may be a regular
+                            ///< polygon's sides
+};
+
+}  // namespace ew

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/propose/whole_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "core/base/tolerance.h"
+#include "core/edge_graph/edit.h"
+#include "core/reading/evidence/hand_noise.h"
+#include "core/reading/propose/prism_proposals.h"
+#include "core/reading/propose/pyramid_proposals.h"
+#include "core/reading/score/candidates.h"
+#include "core/reading/score/picture_evidence.h"
+#include "core/reading/types/reading_params.h"
+#include "core/tlib/library_index.h"
+
+namespace ew {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A hypothesis that was solved and is a solid.
+struct Solved {
+    Candidate candidate;
+    PictureEvidence evidence;
+    double cost = 0.0;
+    double misfit = 0.0;  ///< PlaneFit::misfit
+    Solid solid;
+    bool known = false;  ///< is a template of the library
+    bool faint = false;  ///< some corner of a seen face turns by no more than this hand errs
+    std::shared_ptr<const EdgeGraph> graph;
+};
+
+class WholeReader {
+  public:
+    WholeReader(const InkReading& ink, const TemplateLibrary& library,
+                const InterpretOptions& options)
+        : ink_(ink), library_(library), options_(options) {}
+
+    WholeReading run() {
+        std::vector<Solved> found;
+        for (EdgeGraph& whole : buildEdgeGraphs(ink_, options_.thresholds.distancePx)) {
+            if (whole.empty()) continue;
+            std::vector<EdgeGraph> parts = connectedParts(whole);
+            if (parts.front().edges.size() < kFewestLines) continue;
+            const auto graph = std::make_shared<const EdgeGraph>(std::move(parts.front()));
+            const double price = bends(*graph);
+            for (Solved& s : read(*graph)) {
+                s.cost += price;
+                s.graph = graph;
+                found.push_back(std::move(s));
+            }
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Solved& a, const Solved& b) { return a.cost < b.cost; });
+        dropAlike(found);
+        WholeReading out;
+        if (found.empty()) return out;
+        out.clear = isClear(found);
+        out.graph = *found.front().graph;
+        out.isKnown = found.front().known;
+        for (Solved& s : found) {
+            if (s.graph != found.front().graph) s.candidate.junctionVertex.clear();
+            s.candidate.junctionVertex.resize(out.graph.junctions.size(), -1);
+            out.candidates.push_back(std::move(s.candidate));
+            if (static_cast<int>(out.candidates.size()) == options_.maxCandidates) break;
+        }
+        return out;
+    }
+
+  private:
+    static constexpr std::size_t kFewestLines = 6;
+    static constexpr std::size_t kManyLines = 16;
+    static constexpr int kMostTried = 60;  ///< proposals of all graphs
+    static constexpr double kLeastSnapDeg = 0.5;
+
+    /// What lines that stray from their edges cost: each correlation length of ink is a sample.
+    double bends(const EdgeGraph& graph) const {
+        const double usual = std::max(params::kLeastWobblePx, 1.3 * ink_.wobblePx);
+        double price = 0.0;
+        for (const GraphEdge& e : graph.edges) {
+            const double excess = e.wobblePx * e.wobblePx / (usual * usual) - 1.0;
+            if (excess > 0.0) price += excess * e.inkPx / tol::kWobbleCorrelationPx;
+        }
+        return price;
+    }
+
+    std::vector<Solved> read(const EdgeGraph& graph) {
+        noise_ = std::max(drawingNoisePx(graph), handNoisePx(ink_));
+        corner_ = cornerSpread(ink_, options_.thresholds.distancePx, noise_);
+        const LineDrawing drawing = lineDrawing(graph, params::kStraightDeg);
+        std::vector<Solved> found;
+        spread_ = std::hypot(noise_, corner_);
+        std::vector<ShapeHypothesis> proposals = prismProposals(drawing, spread_);
+        for (ShapeHypothesis& h : pyramidProposals(drawing, spread_)) {
+            proposals.push_back(std::move(h));
+        }
+        fitSpread_ = exactSpread(proposals, drawing).value_or(spread_);
+        for (const ShapeHypothesis& h : proposals) {
+            if (tried_++ >= kMostTried) break;
+            if (auto s = solve(h, drawing)) found.push_back(std::move(*s));
+        }
+        return found;
+    }
+
+    /// Where something fits far better than hands do although much could contradict it, the drawing
+    /// is exact, and says what is regular and what is not.
+    std::optional<double> exactSpread(const std::vector<ShapeHypothesis>& proposals,
+                                      const LineDrawing& drawing) const {
+        if (noise_ > params::kExactPx) return std::nullopt;
+        constexpr int kRedundant = 4;
+        std::optional<double> least;
+        for (const ShapeHypothesis& h : proposals) {
+            PlaneModel model = regularModel(h.rough, h.frame, {kLeastSnapDeg, 0.0});
+            const auto vertices = seen(h, drawing, spread_);
+            const int drawn = 2 * static_cast<int>(vertices.size());
+            if (drawn < model.freedoms() + kRedundant) continue;
+            constexpr int kFewSteps = 8;
+            const auto f = fitPlanes(std::move(model), vertices, stretches(h, spread_), kFewSteps);
+            if (!f) continue;
+            const double rms = std::sqrt(f->misfit) * spread_;
+            if (rms < params::kExactPx && rms < least.value_or(1.0)) least = rms;
+        }
+        if (!least) return std::nullopt;
+        return std::max(2.0 * *least, 0.5 * params::kExactPx);
+    }
+
+    /// The model that costs least, its freedoms counted, of more and less regular ones.
+    std::optional<PlaneFit> fit(const ShapeHypothesis& h, const LineDrawing& drawing) const {
+        std::optional<PlaneFit> best;
+        const auto vertices = seen(h, drawing, fitSpread_);
+        const auto lines = stretches(h, fitSpread_);
+        for (const double angle : {kLeastSnapDeg, 3.0, 8.0, 15.0}) {
+            std::vector<PlaneModel> models{regularModel(h.rough, h.frame, {angle, 0.0})};
+            if (!h.ring.empty()) {
+                models.push_back(models.front());
+                makeRegularRing(models.back(), h.ring);
+            }
+            for (PlaneModel& model : models) {
+                const int freedoms = model.freedoms();
+                auto f = fitPlanes(std::move(model), vertices, lines);
+                if (!f) continue;
+                f->cost += params::kFreedomCost * freedoms + params::kSlantCost * slants(f->model);
+                if (!best || f->cost < best->cost) best = std::move(f);
+            }
+        }
+        return best;
+    }
+
+    /// Directions of faces that are across no axis of the body.
+    static double slants(const PlaneModel& model) {
+        const auto free = std::count_if(
+            model.normals.begin(), model.normals.end(),
+            [](const PlaneModel::Normal& n) { return n.kind == PlaneModel::Normal::Kind::Free; });
+        return static_cast<double>(model.angles.size()) + static_cast<double>(free);
+    }
+
+    std::vector<DrawnVertex> seen(const ShapeHypothesis& h, const LineDrawing& drawing,
+                                  double spread) const {
+        std::vector<DrawnVertex> out;
+        for (std::size_t v = 0; v < h.node.size(); ++v) {
+            if (h.node[v] < 0) continue;
+            out.push_back({static_cast<int>(v), drawing.nodes[at(h.node[v])].at,
+                           spread * spread * Eigen::Matrix2d::Identity()});
+        }
+        return out;
+    }
+
+    static std::vector<DrawnStretch> stretches(const ShapeHypothesis& h, double spread) {
+        std::vector<DrawnStretch> out = h.stretches;
+        for (DrawnStretch& s : out) s.spreadPx = spread;
+        return out;
+    }
+
+    std::optional<Solved> solve(const ShapeHypothesis& h, const LineDrawing& drawing) const {
+        // What fits nowhere near is not worth the work.
+        constexpr double kHopeless = 10.0;
+        constexpr int kFewSteps = 8;
+        const auto rough = fitPlanes(regularModel(h.rough, h.frame, {kLeastSnapDeg, 0.0}),
+                                     seen(h, drawing, spread_), stretches(h, spread_), kFewSteps);
+        if (!rough || rough->misfit > kHopeless) return std::nullopt;
+        const auto f = fit(h, drawing);
+        if (!f) return std::nullopt;
+        Candidate c;
+        place(*f, h, c);
+        auto solid = Solid::fromSpec(c.spec);
+        if (!solid) return std::nullopt;
+        Solved out{std::move(c),      {},    f->cost,        f->misfit,
+                   *std::move(solid), false, isFaint(*f, h), nullptr};
+        // A careful hand's lines lie where the picture has them, but for what the fit itself
+        // misses.
+        const double missed = std::sqrt(f->misfit) * fitSpread_;
+        const double near = std::min(options_.thresholds.distancePx,
+                                     params::kLeastBesidePx + 3.0 * noise_ + 2.0 * missed);
+        out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near);
+        out.cost += params::kStrayCost * (out.evidence.strayPx + out.evidence.barePx) /
+                    options_.thresholds.distancePx;
+        describe(h, *f, out);
+        return out;
+    }
+
+    /// Does some face that looks at the eye have a corner that may be the bend of one line?
+    bool isFaint(const PlaneFit& f, const ShapeHypothesis& h) const {
+        for (const std::vector<int>& loop : h.rough.faces) {
+            const std::size_t n = loop.size();
+            const auto p = [&](std::size_t k) -> Vec2 {
+                return f.camera[at(loop[k % n])].head<2>();
+            };
+            double area = 0.0;
+            for (std::size_t k = 0; k < n; ++k) area += cross2(p(k), p(k + 1));
+            if (area >= 0.0) continue;  // looks away; y is down
+            for (std::size_t k = 0; k < n; ++k) {
+                const Vec2 chord = p(k + 2) - p(k);
+                const double height =
+                    std::abs(cross2(chord, p(k + 1) - p(k))) / std::max(chord.norm(), 1e-6);
+                if (height < params::kFaintCorner * spread_) return true;
+            }
+        }
+        return false;
+    }
+
+    /// In millimetres and in the world, with the nearest corner in the Sketch Plane.
+    void place(const PlaneFit& f, const ShapeHypothesis& h, Candidate& c) const {
+        const double scale = options_.camera.worldPerPixel;
+        for (const Vec3& p : f.body) c.spec.vertices.push_back(scale * p);
+        c.spec.faces = h.rough.faces;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vec3& p : f.camera) nearest = std::min(nearest, p.z());
+        c.pose.rotation = options_.camera.cameraToWorld() * f.model.bodyToCamera;
+        c.pose.translation =
+            options_.camera.unproject(f.model.center.head<2>(), f.model.center.z() - nearest);
+    }
+
+    void describe(const ShapeHypothesis& h, const PlaneFit& f, Solved& out) const {
+        Candidate& c = out.candidate;
+        c.templateId = h.family;
+        c.templateName = familyName(h.family);
+        if (const LibraryEntry* entry = templateOf(f.model, c.spec)) {
+            c.templateId = entry->tmpl.id;
+            c.templateName = entry->tmpl.name;
+            out.known = true;
+        }
+        c.unusedStrokes = out.evidence.beside;
+        c.aspect = "region";
+        c.readingId = "default";
+        c.residualPx = std::sqrt(f.misfit) * fitSpread_;
+        c.junctionVertex.assign(out.candidate.junctionVertex.size(), -1);
+        int highest = -1;
+        for (const int node : h.node) highest = std::max(highest, node);
+        c.junctionVertex.assign(at(highest + 1), -1);
+        for (std::size_t v = 0; v < h.node.size(); ++v) {
+            if (h.node[v] >= 0) c.junctionVertex[at(h.node[v])] = static_cast<int>(v);
+        }
+        const double off = c.residualPx / options_.thresholds.distancePx;
+        c.score = std::exp(-2.0 * off * off) * std::exp(-2.0 * out.evidence.residue());
+    }
+
+    /// The template that a solid is one of: the same sizes of faces and, where all edges of the
+    /// template run along three axes, all faces across them.
+    const LibraryEntry* templateOf(const PlaneModel& model, const PolyhedronSpec& spec) const {
+        const auto sizes = [](const PolyhedronSpec& s) {
+            std::multiset<std::size_t> out;
+            for (const auto& face : s.faces) out.insert(face.size());
+            return out;
+        };
+        const bool upright = std::all_of(model.normals.begin(), model.normals.end(),
+                                         [](const PlaneModel::Normal& n) {
+                                             return n.kind == PlaneModel::Normal::Kind::Fixed &&
+                                                    n.first.cwiseAbs().maxCoeff() == 1.0;
+                                         });
+        for (const auto& entry : library_.index().entries) {
+            if (entry->analysis.rectilinear.has_value() != upright) continue;
+            if (entry->tmpl.shape.vertices.size() != spec.vertices.size()) continue;
+            if (sizes(entry->tmpl.shape) == sizes(spec)) return entry.get();
+        }
+        return nullptr;
+    }
+
+    static std::string familyName(const std::string& family) {
+        if (family == "prism") return "Prism";
+        return family == "pyramid" ? "Pyramid" : "Frustum";
+    }
+
+    /// One reading of each solid: every face of a box may be the base.
+    static void dropAlike(std::vector<Solved>& found) {
+        std::vector<Solved> kept;
+        for (Solved& s : found) {
+            const bool known = std::any_of(kept.begin(), kept.end(), [&](const Solved& k) {
+                return k.solid.vertices().size() == s.solid.vertices().size() &&
+                       k.solid.edges().size() == s.solid.edges().size() &&
+                       std::abs(k.solid.volume() / s.solid.volume() - 1.0) < params::kSameVolume;
+            });
+            if (!known) kept.push_back(std::move(s));
+        }
+        found = std::move(kept);
+    }
+
+    /// Does the first one explain the ink, and no other as well at much the same cost?
+    bool isClear(const std::vector<Solved>& found) const {
+        if (found.front().evidence.residue() > params::kWholeResidue) return false;
+        if (found.front().misfit > params::kWholeMisfit) return false;
+        if (found.front().faint) return false;
+        // An unsteady hand's few lines fit many solids.
+        const bool unsteady = endSpread(ink_.segments, options_.thresholds.distancePx) >
+                              kUnsteadySpread * options_.thresholds.distancePx;
+        if (unsteady && !found.front().known && found.front().graph->edges.size() < kManyLines) {
+            return false;
+        }
+        return std::none_of(found.begin() + 1, found.end(), [&](const Solved& other) {
+            return other.evidence.residue() <= params::kOtherResidue &&
+                   other.cost < found.front().cost + params::kWholeMargin;
+        });
+    }
+
+    const InkReading& ink_;
+    const TemplateLibrary& library_;
+    const InterpretOptions& options_;
+    int tried_ = 0;
+    double noise_ = 1.0;
+    double corner_ = 2.0;
+    double spread_ = 2.0;     ///< of drawn corners, per axis [px]
+    double fitSpread_ = 2.0;  ///< the same, where the drawing is not exact
+};
+
+}  // namespace
+
+WholeReading readWholeDrawing(const InkReading& ink, const TemplateLibrary& library,
+                              const InterpretOptions& options) {
+    return WholeReader(ink, library, options).run();
+}
+
+}  // namespace ew

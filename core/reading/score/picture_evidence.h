@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/camera.h"
+#include "core/edge_graph/build.h"
+#include "core/solid/solid.h"
+
+namespace ew {
+
+/// What a solid's picture, hidden lines removed, and the ink have in common, as lengths [px].
+struct PictureEvidence {
+    double inkPx = 0.0;       ///< all ink that is lines
+    double strayPx = 0.0;     ///< ink along no edge that is seen, and along none that is hidden
+    double hiddenPx = 0.0;    ///< ink along hidden edges alone
+    double picturePx = 0.0;   ///< visible edges
+    double barePx = 0.0;      ///< visible edges without ink
+    std::vector<int> beside;  ///< strokes of which less than half runs along an edge, and those
+                              ///< that are no lines; ascending
+
+    /// What does not agree, as a share of the ink.
+    double residue() const { return inkPx > 0.0 ? (strayPx + barePx) / inkPx : 1.0; }
+};
+
+/// \param nearPx  how far from an edge ink may run that was drawn for it [px].
+/// Cost: that of SolidView, and O(ink samples + picture / 4 px).
+PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const Pose& pose,
+                                const OrthographicCamera& camera, double nearPx);
+
+}  // namespace ew

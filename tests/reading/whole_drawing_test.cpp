@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings that no template of the library shows.
+#include "core/reading/propose/whole_drawing.h"
+
+#include <algorithm>
+
+#include "core/reading/propose/prism_proposals.h"
+#include "core/reading/propose/pyramid_proposals.h"
+#include "core/reading/score/picture_evidence.h"
+#include "tests/reading/reading_fixture.h"
+#include "tests/support/hand_model.h"
+#include "tests/support/whole_shapes.h"
+
+namespace ew::test {
+namespace {
+
+std::vector<Stroke> drawnBy(const WholeCase& c, const HandLevel& hand, std::uint64_t seed) {
+    Random random(seed);
+    return drawByHand(c.lines, hand, random);
+}
+
+Interpretation read(const WholeCase& c, const std::vector<Stroke>& strokes) {
+    InterpretOptions options;
+    options.camera = c.camera;
+    return readStrokes(strokes, options);
+}
+
+/// The solid that was taken; nothing where none was.
+std::optional<Solid> taken(const Interpretation& reading) {
+    if (!reading.accepted) return std::nullopt;
+    auto solid =
+        Solid::fromSpec(reading.candidates[static_cast<std::size_t>(*reading.accepted)].spec);
+    if (!solid) return std::nullopt;
+    return *std::move(solid);
+}
+
+bool sameCounts(const Solid& a, const Solid& b) {
+    return a.vertices().size() == b.vertices().size() && a.edges().size() == b.edges().size() &&
+           a.faces().size() == b.faces().size();
+}
+
+class WholeDrawings : public testing::TestWithParam<std::string> {};
+
+TEST_P(WholeDrawings, ExactOnesComeBack) {
+    int right = 0;
+    for (std::uint64_t n = 0; n < 12; ++n) {
+        SCOPED_TRACE(n);
+        Random random(Random::mix(7, n));
+        const WholeCase c = randomWholeCase(GetParam(), random);
+        const auto solid = taken(read(c, drawnBy(c, kExactHand, n)));
+        if (!solid) continue;
+        EXPECT_TRUE(sameCounts(*solid, c.solid));
+        if (c.tellsVolume) {
+            EXPECT_NEAR(solid->volume() / c.solid.volume(), 1.0, 1e-3);
+        }
+        ++right;
+    }
+    EXPECT_GE(right, 11);
+}
+
+TEST_P(WholeDrawings, LightHandsAreReadToo) {
+    int right = 0;
+    for (std::uint64_t n = 0; n < 12; ++n) {
+        SCOPED_TRACE(n);
+        Random random(Random::mix(8, n));
+        const WholeCase c = randomWholeCase(GetParam(), random);
+        const auto solid = taken(read(c, drawnBy(c, kLightHand, n)));
+        if (!solid) continue;
+        EXPECT_TRUE(sameCounts(*solid, c.solid))
+            << solid->vertices().size() << " for " << c.solid.vertices().size();
+        if (c.tellsVolume) {
+            EXPECT_NEAR(solid->volume() / c.solid.volume(), 1.0, 0.12);
+        }
+        ++right;
+    }
+    EXPECT_GE(right, 8);
+}
+
+TEST_P(WholeDrawings, AnotherOrderOfStrokesIsTheSameSolid) {
+    Random random(Random::mix(9, 1));
+    const WholeCase c = randomWholeCase(GetParam(), random);
+    std::vector<Stroke> strokes = drawnBy(c, kExactHand, 3);
+    const auto first = taken(read(c, strokes));
+    std::reverse(strokes.begin(), strokes.end());
+    const auto second = taken(read(c, strokes));
+    ASSERT_TRUE(first && second);
+    EXPECT_TRUE(sameCounts(*first, *second));
+    EXPECT_NEAR(first->volume() / second->volume(), 1.0, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, WholeDrawings, testing::Values("prism", "concave", "pyramid"));
+
+TEST(WholeDrawing, APictureHasAllOfItsOwnInk) {
+    Random random(11);
+    const WholeCase c = randomWholeCase("concave", random);
+    const InkReading ink = readInk(drawnBy(c, kExactHand, 1), Thresholds{}.distancePx);
+    const PictureEvidence all = pictureEvidence(ink, c.solid, {}, c.camera, 3.0);
+    EXPECT_LT(all.residue(), 0.01);
+    EXPECT_TRUE(all.beside.empty());
+    // Less one line: that edge is bare, and nothing is stray.
+    WholeCase less = c;
+    const double length = (less.lines[0][1] - less.lines[0][0]).norm();
+    less.lines.erase(less.lines.begin());
+    const InkReading rest = readInk(drawnBy(less, kExactHand, 1), Thresholds{}.distancePx);
+    const PictureEvidence some = pictureEvidence(rest, c.solid, {}, c.camera, 3.0);
+    EXPECT_NEAR(some.barePx, length, 10.0);
+    EXPECT_LT(some.strayPx, 1.0);
+}
+
+TEST(WholeDrawing, ALineBesideTheSolidStaysInk) {
+    Random random(12);
+    const WholeCase c = randomWholeCase("concave", random);
+    std::vector<Stroke> strokes = drawnBy(c, kExactHand, 1);
+    strokes.push_back(line({20, 20}, {70, 25}));
+    const Interpretation reading = read(c, strokes);
+    ASSERT_TRUE(reading.accepted);
+    EXPECT_EQ(reading.candidates.front().unusedStrokes,
+              std::vector<int>{static_cast<int>(strokes.size()) - 1});
+}
+
+TEST(WholeDrawing, WhatShowsNothingProposesNothing) {
+    EdgeGraph triangle;
+    triangle.junctions = {{{0, 0}}, {{100, 0}}, {{0, 100}}};
+    for (const auto& e : {std::array<int, 2>{0, 1}, {1, 2}, {2, 0}}) {
+        GraphEdge edge;
+        edge.ends = e;
+        triangle.edges.push_back(edge);
+    }
+    const LineDrawing drawing = lineDrawing(triangle, 8.0);
+    EXPECT_TRUE(prismProposals(drawing, 2.0).empty());
+    EXPECT_TRUE(pyramidProposals(drawing, 2.0).empty());
+}
+
+TEST(WholeDrawing, RandomLinesAreNoSolidAndNoFault) {
+    for (std::uint64_t n = 0; n < 10; ++n) {
+        Random random(Random::mix(13, n));
+        std::vector<Stroke> strokes;
+        for (int k = 0; k < 24; ++k) {
+            strokes.push_back(line({random.uniform(100, 900), random.uniform(100, 700)},
+                                   {random.uniform(100, 900), random.uniform(100, 700)}));
+        }
+        const InkReading ink = readInk(strokes, Thresholds{}.distancePx);
+        EXPECT_FALSE(readWholeDrawing(ink, shippedLibrary(), {}).clear) << n;
+    }
+}
+
+}  // namespace
+}  // namespace ew::test
