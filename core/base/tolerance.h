@@ -273,10 +273,6 @@ inline constexpr double kBesideOutline = 2.0;
 /// ... and such a reading is taken by itself up to this price, for each edge beyond the second, of
 /// ink beside it, of edges bare of ink, and of ink bent along its edges.
 inline constexpr double kOutlineTells = 2.7;
-/// Direction error that hands have besides what their ends' noise explains: degrees per px of
-/// noise, at most this share of the angle threshold.
-inline constexpr double kDirectionPerPx = 2.0;
-inline constexpr double kDirectionShare = 0.25;
 
 // Fillet, subdivision and strokes on the surface.
 
