@@ -300,8 +300,8 @@ inline constexpr double kFilletStraightSine = 0.5;
 /// Strips go round the end of a third one where the arc in the face begins at least this share of
 /// its setback away from where their sides would meet.
 inline constexpr double kFilletArcLeast = 0.05;
-/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as a
-/// curve that bends less.
+/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as
+/// a curve that bends less.
 inline constexpr double kFilletArcSkew = 0.25;
 /// Arcs that turn by less than this [rad] are drawn straight: their sagitta is below 1e-4 setbacks.
 inline constexpr double kFilletArcAngle = 1e-3;

@@ -32,12 +32,12 @@ struct WholeShape {
 ///
 /// prism: over a convex polygon of 4 to 10 corners, regular in one of three, standing or lying.
 /// concave: a prism over a T, U, L, plus, staircase or house outline. pyramid, frustum: over a
-/// rectangle or a polygon of 5 to 8 corners, apex over the middle; the polygon is regular, that of a
-/// frustum, whose top is seen, in half of them. parts-2, parts-5, parts-8:
-/// two, 3 to 5 and 6 to 8 boxes added to and cut out of one another on their faces, now and then a
-/// prism or a pyramid on top. trihedral: a box or two with corners and edges cut off. many-edges:
-/// corners with four or five edges: a roof flush on its walls, a pyramid flush on a box, a double
-/// pyramid. bodies: two or three boxes or prisms on one ground.
+/// rectangle or a polygon of 5 to 8 corners, apex over the middle; the polygon is regular, that of
+/// a frustum, whose top is seen, in half of them. parts-2, parts-5, parts-8: two, 3 to 5 and 6 to 8
+/// boxes added to and cut out of one another on their faces, now and then a prism or a pyramid on
+/// top. trihedral: a box or two with corners and edges cut off. many-edges: corners with four or
+/// five edges: a roof flush on its walls, a pyramid flush on a box, a double pyramid. bodies: two
+/// or three boxes or prisms on one ground.
 WholeShape randomWhole(const std::string& kind, Random& random);
 
 /// The same from a camera that shows it so that a person can tell it: tilt 18 to 50 degrees, three
