@@ -207,7 +207,7 @@ inline constexpr double kUnseenDirection = 1e-7;
 /// relations.
 inline constexpr double kRelationRank = 1e-3;
 /// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a
-/// degree of drawing error at 95, 18% at 92 (algorithms.md).
+/// degree of drawing error at 95, 18% at 92 (docs/algorithms.md).
 inline constexpr double kUnreliableCornerDeg = 6.0;
 /// A solution whose critical angle is within this many of its own spreads of 90 degrees yields to
 /// the oblique reading; and so it does, where this hand can have meant a right angle at all, within

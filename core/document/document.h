@@ -91,6 +91,7 @@ using Interpreter = std::function<Interpretation(const std::vector<Stroke>&, con
 /// A document and everything a person can do to it. The window and replay call the same functions;
 /// each successful one is recorded as a sketch script step. A function that fails changes nothing.
 /// Single-threaded (the thread that made it).
+/// \paper{7.4}
 class Document : public QObject {
     Q_OBJECT
 

@@ -109,9 +109,8 @@ class Modification {
             place(matches, view, body, true);
             if (understood(tol::kPlainMisfit)) return;
         }
-        // Ends of an unsteady hand join wrongly, and of what stands between parts of the solid some
-        // sides are out of sight that no aspect is without, while the whole of the lines still
-        // tells.
+        // Ends of an unsteady hand join wrongly, and between parts of the solid sides that every
+        // aspect shows are out of sight, while the whole of the lines still tells.
         const bool unsteady = spread_ >= kUnsteadySpread * distance_;
         if (unsteady || found_.empty()) placeLaidBoxes(view, body, unsteady);
         if (understood(tol::kUnderstoodMisfit)) return;
@@ -276,7 +275,7 @@ class Modification {
         return true;
     }
 
-    /// Cracking (paper 5.2): where the best change meets faces that were not drawn on, the next
+    /// Cracking (paper 5.2.3): where the best change meets faces that were not drawn on, the next
     /// candidate is the one that is adjusted to stay out of one of them, or of all.
     void adjust(std::vector<Option>& done) {
         const Option best = done.front();

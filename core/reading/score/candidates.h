@@ -53,6 +53,7 @@ struct ReadingContext {
 /// for any other the general solver's most regular solid. Empty where no solid fits.
 /// \param impossibleCorner  receives the drawn corner that breaks Perkins' law where that was the
 ///     reason.
+/// \paper{5.1}
 std::vector<RatedCandidate> readingsOf(const EdgeGraph& graph, const GraphMatch& match,
                                        const ReadingContext& context,
                                        std::optional<Vec2>& impossibleCorner);

@@ -91,6 +91,7 @@ std::optional<GeneralSolution> solveAnchored(const Template& tmpl, const Templat
 /// what is left open with the most regular shape.
 /// \param start  vertices to start from, e.g. from startPoints or another solution.
 /// \return nothing where it does not converge or the visible faces do not come out visible.
+/// \paper{5.1}
 std::optional<GeneralSolution> solveGeneral(const Template& tmpl, const TemplateAnalysis& analysis,
                                             const Sighting& sighting,
                                             const SolverRelations& relations,

@@ -32,6 +32,7 @@ std::optional<AffinePicture> fitAffine(const Sighting& sighting, const TemplateA
 /// (13) in camera space: with D_jk = q_j . q_k, |t_i| = sqrt(-D12 D23 D31) / |D_jk| and t_i t_j =
 /// -D_ij. The other Necker root is the negative of all three.
 /// \return nothing where there is no real root (Perkins' law is broken).
+/// \paper{5.1}
 std::optional<std::array<double, 3>> cornerDepths(const std::array<Vec2, 3>& axes);
 
 /// Which of the three angles is nearest to 90 degrees, and how far from it the drawing may say it
