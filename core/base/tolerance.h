@@ -196,7 +196,7 @@ inline constexpr double kRegularityWeight = 0.02;
 /// Coordinates of a reconstructed body nearer than this share of its size are the same coordinate:
 /// the solver ends at about 1e-12.
 inline constexpr double kEqualCoordinate = 1e-9;
-/// ... of which this share is left for an exact drawing: enough to close what is open.
+/// Share of kRegularityWeight that is left for an exact drawing: enough to close what is open.
 inline constexpr double kLeastDoubt = 0.01;
 /// Nobody draws better than this [px]: a display's rounding.
 inline constexpr double kNoiseFloorPx = 0.05;
@@ -363,8 +363,8 @@ inline constexpr double kSameChange = 0.05;
 /// Of two templates that make the same change the one that can show fewer shapes is meant: price of
 /// each freedom that its relations leave.
 inline constexpr double kTemplateFreedomCost = 0.1;
-/// Price of ink that a reading on a solid leaves out, for every four distance thresholds of it, of
-/// a model edge that it takes in, and of a direction that is none of the model's.
+/// Price of a model edge that a reading on a solid takes in, and of a direction that is none of the
+/// model's.
 inline constexpr double kModelEdgeCost = 0.5;
 inline constexpr double kStrangeDirectionCost = 6.0;
 /// Where the two derivatives of a surface are parallel within this sine it has no normal of its
