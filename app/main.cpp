@@ -94,7 +94,8 @@ ew::Result<Arguments> readArguments() {
 }
 
 /// Grabs the window once its first picture stands and quits; exit code 2 where it cannot be
-/// written. \param status  the exit code else; it is read then.
+/// written.
+/// \param status  the exit code else; it is read then.
 void quitAfterScreenshot(ew::MainWindow& window, const QString& path, const int& status) {
     QObject::connect(
         &window.viewport(), &ew::ViewportWidget::firstFrame, &window, [&window, &status, path] {

@@ -21,8 +21,9 @@ class EdgeSelection : public QObject {
     std::vector<EdgeRef> edges() const;
 
     void setWhich(EdgeChoice::Which which);
-    /// Picks edges. \param add  keeps those that were picked before; where all of the new ones were
-    /// among them, they are taken out.
+    /// Picks edges.
+    /// \param add  keeps those that were picked before; where all of the new ones were among them,
+    ///     they are taken out.
     void pick(const std::vector<EdgeRef>& edges, bool add);
 
   signals:

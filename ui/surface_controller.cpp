@@ -66,8 +66,7 @@ void SurfaceController::onDocumentChanged(DocumentChange what) {
     emit changed();
 }
 
-// The worker
-// ----------------------------------------------------------------------------------------
+// The worker -------------------------------------------------------------------------------------
 
 void SurfaceController::derive(SurfaceSettings settings, Commit commit,
                                std::optional<int> coarser) {
@@ -167,8 +166,7 @@ void SurfaceController::settle() {
     }
 }
 
-// Fillet
-// --------------------------------------------------------------------------------------------
+// Fillet -----------------------------------------------------------------------------------------
 
 Result<SurfaceSettings> SurfaceController::withFillet(double radius, int segments) const {
     if (auto ok = checkRadius(radius); !ok) return fail(ok.error());
@@ -231,8 +229,7 @@ void SurfaceController::crease(double sharpness) {
     run([this, sharpness] { return document_.crease(selection_.choice(), sharpness); });
 }
 
-// Subdivision and strokes
-// -------------------------------------------------------------------------
+// Subdivision and strokes ------------------------------------------------------------------------
 
 void SurfaceController::previewSubdivision(const SubdivisionSettings& wanted) {
     flush();

@@ -22,7 +22,8 @@ class WorkKeeper : public QObject {
 
     const WorkFolder& folder() const { return folder_; }
     WorkCopy& copy() { return copy_; }
-    /// Offers what was not closed as one closes a document. \return false where there is nothing.
+    /// Offers what was not closed as one closes a document.
+    /// \return false where there is nothing.
     bool offerLost();
     /// Offers all that is still there.
     void offerAll();

@@ -6,8 +6,9 @@
 
 namespace ew {
 
-/// Parallel projection of the world onto the Sketch Plane, as sketch-script.md defines it:
+/// Parallel projection of the world onto the Sketch Plane, as docs/sketch-script.md defines it:
 /// the Sketch Plane passes through `center`, perpendicular to `direction`.
+/// \paper{3.3}
 struct OrthographicCamera {
     Vec3 direction = Vec3(-1, 1, -1).normalized();  ///< unit, from the eye into the scene
     Vec3 up = Vec3(0, 0, 1);                        ///< any vector not parallel to direction

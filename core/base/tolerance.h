@@ -196,7 +196,7 @@ inline constexpr double kRegularityWeight = 0.02;
 /// Coordinates of a reconstructed body nearer than this share of its size are the same coordinate:
 /// the solver ends at about 1e-12.
 inline constexpr double kEqualCoordinate = 1e-9;
-/// ... of which this share is left for an exact drawing: enough to close what is open.
+/// Share of kRegularityWeight that is left for an exact drawing: enough to close what is open.
 inline constexpr double kLeastDoubt = 0.01;
 /// Nobody draws better than this [px]: a display's rounding.
 inline constexpr double kNoiseFloorPx = 0.05;
@@ -207,7 +207,7 @@ inline constexpr double kUnseenDirection = 1e-7;
 /// relations.
 inline constexpr double kRelationRank = 1e-3;
 /// Rectangular corners within this of 90 degrees say next to nothing about depth [degrees]: 8% a
-/// degree of drawing error at 95, 18% at 92 (algorithms.md).
+/// degree of drawing error at 95, 18% at 92 (docs/algorithms.md).
 inline constexpr double kUnreliableCornerDeg = 6.0;
 /// A solution whose critical angle is within this many of its own spreads of 90 degrees yields to
 /// the oblique reading; and so it does, where this hand can have meant a right angle at all, within
@@ -296,8 +296,8 @@ inline constexpr double kFilletStraightSine = 0.5;
 /// Strips go round the end of a third one where the arc in the face begins at least this share of
 /// its setback away from where their sides would meet.
 inline constexpr double kFilletArcLeast = 0.05;
-/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as a
-/// curve that bends less.
+/// An arc that would begin so much nearer to where its sides meet than it ends (ratio) is drawn as
+/// a curve that bends less.
 inline constexpr double kFilletArcSkew = 0.25;
 /// Arcs that turn by less than this [rad] are drawn straight: their sagitta is below 1e-4 setbacks.
 inline constexpr double kFilletArcAngle = 1e-3;
@@ -359,8 +359,8 @@ inline constexpr double kSameChange = 0.05;
 /// Of two templates that make the same change the one that can show fewer shapes is meant: price of
 /// each freedom that its relations leave.
 inline constexpr double kTemplateFreedomCost = 0.1;
-/// Price of ink that a reading on a solid leaves out, for every four distance thresholds of it, of
-/// a model edge that it takes in, and of a direction that is none of the model's.
+/// Price of a model edge that a reading on a solid takes in, and of a direction that is none of the
+/// model's.
 inline constexpr double kModelEdgeCost = 0.5;
 inline constexpr double kStrangeDirectionCost = 6.0;
 /// Where the two derivatives of a surface are parallel within this sine it has no normal of its

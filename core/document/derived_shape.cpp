@@ -28,8 +28,7 @@ std::size_t bytesOf(const SurfaceMesh& s) {
 
 }  // namespace
 
-// The cache
-// -----------------------------------------------------------------------------------------
+// The cache --------------------------------------------------------------------------------------
 
 struct ShapeCache::Impl {
     struct Cage {
@@ -297,8 +296,7 @@ DerivedShape deriveShape(const ShapeInput& input, ShapeCache& keeper) {
     return out;
 }
 
-// Meshes
-// --------------------------------------------------------------------------------------------
+// Meshes -----------------------------------------------------------------------------------------
 
 ShapeMesh shapeMesh(const Body& body, const BodyShape& shape) {
     ShapeMesh out;

@@ -79,6 +79,7 @@ class ShapeCache {
 /// Derives everything. What cannot be made is named in `problem` (the errors of fillet(),
 /// controlCage() and subdivide(); TooMuchMemory where all surfaces together exceed the limit), the
 /// rest stands. The same input gives the same shape.
+/// \paper{3.2}
 DerivedShape deriveShape(const ShapeInput& input, ShapeCache& cache);
 
 /// The outermost shape of one body: its surface, else its cage, else the solid itself.

@@ -11,8 +11,7 @@
 
 namespace ew {
 
-// Private
-// -------------------------------------------------------------------------------------------
+// Private ----------------------------------------------------------------------------------------
 
 Document::Private::Private(Document& document, TemplateLibrary shippedLibrary, Interpreter reader)
     : q(document), interpreter(std::move(reader)), shipped(std::move(shippedLibrary)) {
@@ -122,8 +121,7 @@ StrokeStep strokeStep(const Stroke& stroke) {
     return step;
 }
 
-// Document: life
-// ------------------------------------------------------------------------------------
+// Document: life ---------------------------------------------------------------------------------
 
 Document::Document(TemplateLibrary shippedLibrary, QObject* parent)
     : Document(std::move(shippedLibrary), &interpret, parent) {}
@@ -142,8 +140,7 @@ Document::~Document() {
 
 const DocumentState& Document::state() const { return *d_->state; }
 
-// Ink
-// -----------------------------------------------------------------------------------------------
+// Ink --------------------------------------------------------------------------------------------
 
 Result<int> Document::addStroke(Stroke stroke) {
     if (auto ok = validateStroke(stroke); !ok) return fail(ok.error());
@@ -244,8 +241,7 @@ bool Document::withdrawInk() {
     return true;
 }
 
-// View and thresholds
-// -------------------------------------------------------------------------------
+// View and thresholds ----------------------------------------------------------------------------
 
 const OrthographicCamera& Document::camera() const { return d_->view.camera; }
 
@@ -313,8 +309,7 @@ void Document::setObliqueFactor(double k) {
     d_->emitChange(DocumentChange::Reading);
 }
 
-// Reading
-// -------------------------------------------------------------------------------------------
+// Reading ----------------------------------------------------------------------------------------
 
 namespace {
 

@@ -91,6 +91,7 @@ using Interpreter = std::function<Interpretation(const std::vector<Stroke>&, con
 /// A document and everything a person can do to it. The window and replay call the same functions;
 /// each successful one is recorded as a sketch script step. A function that fails changes nothing.
 /// Single-threaded (the thread that made it).
+/// \paper{7.4}
 class Document : public QObject {
     Q_OBJECT
 
@@ -137,8 +138,7 @@ class Document : public QObject {
     double obliqueFactor() const;
     void setObliqueFactor(double k);
 
-    // Reading
-    // ---------------------------------------------------------------------------------------
+    // Reading ------------------------------------------------------------------------------------
     /// The pending strokes as read now (cached until something that it depends on changes).
     const Interpretation& interpretation() const;
     /// What apply(request) would choose from.
@@ -154,12 +154,11 @@ class Document : public QObject {
                                                 const OrthographicCamera& camera) const;
     /// Is interpretation() known already?
     bool readingKnown() const;
-    /// Keeps what a readingTask() without a stroke found. \pre nothing that it depends on changed
-    /// since it was made.
+    /// Keeps what a readingTask() without a stroke found.
+    /// \pre nothing that it depends on changed since it was made.
     void keepReading(Interpretation reading);
 
-    // Commands
-    // ----------------------------------------------------------------------------------------
+    // Commands -----------------------------------------------------------------------------------
     /// Makes or changes the solid from the pending strokes. Only if it succeeds, and only those
     /// that the chosen candidate explains are consumed (Candidate::unusedStrokes stay pending).
     Result<ApplyOutcome> apply(const ApplyRequest& request = {});
@@ -177,8 +176,7 @@ class Document : public QObject {
     /// Removes every body (one undo step). Errc::NoSolid.
     Result<void> deleteBodies();
 
-    // Surface
-    // ------------------------------------------------------------------------------------------
+    // Surface ------------------------------------------------------------------------------------
     /// Rounds edges; a radius that does not fit is clamped edge by edge. A setting: it can be
     /// changed later, and edges that survive a change of the solid keep theirs. Errors: NoSolid,
     /// NoEdge, BadValue, and what shape() would have for a problem.
@@ -188,8 +186,9 @@ class Document : public QObject {
     /// How sharp edges that are not filleted stay in the surface: 0..kInfiniteSharpness or
     /// kAutomaticSharpness. NoSolid, NoEdge, BadValue and what shape() would have for a problem.
     Result<void> crease(const EdgeChoice& edges, double sharpness);
-    /// Sets the smooth surface. \param replace as in FilletRequest, for a newest command of the
-    /// same kind. NoSolid, BadValue, TooMuchMemory and what else shape() would have for a problem.
+    /// Sets the smooth surface.
+    /// \param replace  as in FilletRequest, for a newest command of the same kind. NoSolid,
+    ///     BadValue, TooMuchMemory and what else shape() would have for a problem.
     Result<void> subdivide(const SubdivisionSettings& settings, bool replace = false);
     /// Draws the pending strokes onto what is seen of the surface (or cage, or solid) and consumes
     /// those that have any of it under them. NoSolid, EmptySketch, NoSurface.
@@ -208,13 +207,12 @@ class Document : public QObject {
     Result<void> undo(int count = 1);
     Result<void> redo(int count = 1);
     /// Goes back or forward along the line of time, with all ink on the way, to right after a step
-    /// (forward) or to right before the next one (back). \param index  steps that are done then.
-    /// Errc::BadValue.
+    /// (forward) or to right before the next one (back).
+    /// \param index  steps that are done then. Errc::BadValue.
     Result<void> goToStep(int index);
     QUndoStack& undoStack() const;
 
-    // Files
-    // -----------------------------------------------------------------------------------------------
+    // Files --------------------------------------------------------------------------------------
     /// Native document: state, history with every snapshot, ink, camera, thresholds. A name without
     /// .edgewright gets it (filePath() tells). Errors: BadValue for a name of a script, TooLarge,
     /// CannotWrite.
@@ -243,16 +241,15 @@ class Document : public QObject {
     /// All that a file holds.
     DocumentFile contents() const;
 
-    // For a working copy
-    // -----------------------------------------------------------------------------------------
+    // For a working copy -------------------------------------------------------------------------
     /// What changed since the last call, or all that there is. One caller only.
     DocumentUpdate takeUpdate(bool whole);
     /// Another number whenever another document takes this one's place (open, reset).
     long life() const;
     /// Is it as it was when its life began?
     bool untouched() const;
-    /// Takes over what a working copy held, with the changes that are in no file yet. \param path
-    /// of the document's file, or empty.
+    /// Takes over what a working copy held, with the changes that are in no file yet.
+    /// \param path  of the document's file, or empty.
     void restore(DocumentFile file, const QString& path);
     /// A small picture of the document for lists, as PNG; kept with it.
     void setThumbnail(std::string png);

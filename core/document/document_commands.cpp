@@ -11,8 +11,7 @@
 
 namespace ew {
 
-// The command
-// ---------------------------------------------------------------------------------------
+// The command ------------------------------------------------------------------------------------
 
 StateCommand::StateCommand(Document::Private& document, const QString& name,
                            std::shared_ptr<const DocumentState> stateBefore,
@@ -37,8 +36,7 @@ void StateCommand::redo() {
     document_.ink.consume(consumed, inkBefore, std::exchange(inkAfter, {}));
 }
 
-// Private: the stack
-// --------------------------------------------------------------------------------
+// Private: the stack -----------------------------------------------------------------------------
 
 void Document::Private::push(const QString& name, std::shared_ptr<const DocumentState> after,
                              std::vector<PendingStroke> consumed,
@@ -108,8 +106,7 @@ void Document::Private::onStackMoved(int index) {
     stateChanged(*before);
 }
 
-// Applying
-// ------------------------------------------------------------------------------------------
+// Applying ---------------------------------------------------------------------------------------
 
 namespace {
 
@@ -306,8 +303,7 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     return outcome;
 }
 
-// Repairs
-// -------------------------------------------------------------------------------------------
+// Repairs ----------------------------------------------------------------------------------------
 
 namespace {
 
@@ -365,8 +361,7 @@ Result<void> Document::repair(const Repair& repair) {
     return {};
 }
 
-// Templates, deleting, undo
-// -------------------------------------------------------------------------
+// Templates, deleting, undo ----------------------------------------------------------------------
 
 namespace {
 

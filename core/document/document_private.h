@@ -93,13 +93,14 @@ struct Document::Private {
     std::function<Interpretation()> task(const std::vector<PendingStroke>& strokes,
                                          const ApplyRequest& request,
                                          const std::vector<Body>& bodies) const;
-    /// Pushes a command that leads to `after` and takes `consumed` away. \param name  in English,
-    /// one that shownStepName() knows; so in Change.
+    /// Pushes a command that leads to `after` and takes `consumed` away.
+    /// \param name  in English, one that shownStepName() knows; so in Change.
     void push(const QString& name, std::shared_ptr<const DocumentState> after,
               std::vector<PendingStroke> consumed, std::shared_ptr<ApplyMemory> memory = nullptr);
-    /// Pushes a change of surface settings. \param key  what it changes; where `replace` is set and
-    /// the newest command has the same key, that one is undone first. A change that changes nothing
-    /// is dropped. Errors: DerivedShape::problem of the state that it would lead to.
+    /// Pushes a change of surface settings.
+    /// \param key  what it changes; where `replace` is set and the newest command has the same key,
+    ///     that one is undone first. A change that changes nothing is dropped. Errors:
+    ///     DerivedShape::problem of the state that it would lead to.
     struct Change {
         QString name;
         std::string key;

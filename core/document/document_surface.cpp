@@ -62,8 +62,7 @@ Step stepFor(EdgeWords words, Step step) {
 
 }  // namespace
 
-// Private
-// -------------------------------------------------------------------------------------------
+// Private ----------------------------------------------------------------------------------------
 
 std::shared_ptr<const DerivedShape> Document::Private::derive(const DocumentState& of) const {
     return std::make_shared<const DerivedShape>(
@@ -110,8 +109,7 @@ Result<void> Document::Private::pushSettings(const Change& change, SurfaceSettin
     return {};
 }
 
-// Document
-// ------------------------------------------------------------------------------------------
+// Document ---------------------------------------------------------------------------------------
 
 Result<FilletOutcome> Document::fillet(const FilletRequest& request) {
     if (auto ok = checkRadius(request.radius); !ok) return fail(ok.error());

@@ -32,11 +32,13 @@ struct MeshSource {
 /// gives. All but .obj are read in single precision, so far from the world's origin they get one of
 /// their own (fileOrigin): .glb and .3mf say so in the nodes and build items that put it back; .stl
 /// (in its header) and .ply (in a comment) say "origin at X Y Z", and the returned note says it
-/// too. The file appears whole or not at all. \param path  UTF-8. \return a sentence for the
-/// person, or nothing. Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite,
-/// BadValue for a pose that is not finite or coordinates that the format cannot hold closely
-/// enough, NotClosed where readers of .stl, .glb and .3mf, which have single precision, would find
-/// the shape open or without area, shape.problem where the shape could not be made.
+/// too. The file appears whole or not at all.
+/// \param path  UTF-8.
+/// \return a sentence for the person, or nothing.
+/// Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite, BadValue for a pose
+/// that is not finite or coordinates that the format cannot hold closely enough, NotClosed where
+/// readers of .stl, .glb and .3mf, which have single precision, would find the shape open or
+/// without area, shape.problem where the shape could not be made.
 Result<std::string> exportShape(const MeshSource& source, const std::string& path,
                                 ExportFaces faces = ExportFaces::Simple);
 

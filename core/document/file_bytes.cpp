@@ -82,7 +82,8 @@ class OpenFile {
     int descriptor_;
 };
 
-/// Follows symbolic links to their end, where nothing need stand yet. \return 0 or an error number.
+/// Follows symbolic links to their end, where nothing need stand yet.
+/// \return 0 or an error number.
 int followLinks(fs::path& path) {
     std::error_code ec;
     for (int i = 0; i < kMostLinks; ++i) {
@@ -94,8 +95,8 @@ int followLinks(fs::path& path) {
     return ELOOP;
 }
 
-/// Permissions, owner, group and attributes of a file that is to be replaced. \return false where
-/// the owner cannot be kept.
+/// Permissions, owner, group and attributes of a file that is to be replaced.
+/// \return false where the owner cannot be kept.
 bool takeAfter(const struct stat& old, const fs::path& oldPath, int descriptor) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return false;
@@ -146,7 +147,8 @@ int writeThrough(const fs::path& path, std::string_view bytes) {
 }
 
 /// A new file beside the target, with a short name of its own, so that a name at the system's limit
-/// can still be written. \return its descriptor, -1 with errno set.
+/// can still be written.
+/// \return its descriptor, -1 with errno set.
 int openBeside(const fs::path& folder, mode_t mode, fs::path& beside) {
     std::random_device random;
     int descriptor = -1;

@@ -29,7 +29,8 @@ enum class FileKind { Document, Script, Json, Other };
 FileKind fileKind(std::string_view bytes);
 
 /// Refuses what is neither a document nor JSON text with a sentence that says what it is instead.
-/// \param name  for the sentence. Errors: WrongFormat.
+/// \param name  for the sentence.
+/// Errors: WrongFormat.
 Result<void> refuseOtherKinds(const std::string& name, std::string_view bytes);
 
 }  // namespace ew

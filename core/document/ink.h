@@ -33,15 +33,18 @@ class InkBoard {
     /// \return its serial, for undoLast(), or nothing where it changed nothing.
     std::optional<int> change(const std::vector<int>& removeIds,
                               std::vector<std::pair<Stroke, OrthographicCamera>> add);
-    /// Takes back the newest change. \pre newest()
+    /// Takes back the newest change.
+    /// \pre newest()
     void undoLast();
-    /// Does again what undoLast() took back last, with the same ids. \pre newestUndone()
+    /// Does again what undoLast() took back last, with the same ids.
+    /// \pre newestUndone()
     void redoLast();
     /// What undoLast() would take back and what redoLast() would do again; null where there is
     /// nothing.
     const InkChange* newest() const { return done_.empty() ? nullptr : &done_.back(); }
     const InkChange* newestUndone() const { return undone_.empty() ? nullptr : &undone_.back(); }
-    /// What undoLast() took back last cannot be done again. \pre newestUndone()
+    /// What undoLast() took back last cannot be done again.
+    /// \pre newestUndone()
     void forgetUndone() { undone_.pop_back(); }
 
     /// Index of the stroke nearest to a point within `reachPx`, the newest of equally near ones.
@@ -51,11 +54,13 @@ class InkBoard {
     InkHistory takeHistory();
     /// A command is done: it takes strokes. Changes that were made before it stay out of the line
     /// of time; those made beside it (after it was undone, say) stay in it.
-    /// \param before  what takeHistory() gave. \param after  changes that can be done again now.
+    /// \param before  what takeHistory() gave.
+    /// \param after  changes that can be done again now.
     void consume(const std::vector<PendingStroke>& taken, const InkHistory& before,
                  InkHistory after);
     /// A command is undone: it gives its strokes and the changes before it back. Changes made after
-    /// it stay, newest. \return what could be done again after the command.
+    /// it stay, newest.
+    /// \return what could be done again after the command.
     InkHistory restore(const std::vector<PendingStroke>& returned, const InkHistory& before);
 
     /// All changes that can be taken back, and those that can be done again (the last one first).

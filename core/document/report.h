@@ -24,8 +24,8 @@ SolidSummary summarize(const std::vector<Body>& bodies);
 
 /// The report of a replay as the sketch script contract lays it down, as JSON text. Numbers read
 /// back to the bit. Every step has every key; `edge_graph` and `match` are null where there was
-/// none, and a failed apply that had readings lists them under `candidates`. \param scriptName file
-/// name of the script.
+/// none, and a failed apply that had readings lists them under `candidates`.
+/// \param scriptName  file name of the script.
 std::string writeReport(const Document& document, const ReplayReport& report,
                         const std::string& scriptName);
 

@@ -28,15 +28,17 @@ Pose poseFromJson(const ObjectReader& body);
 /// Throws where a sample is no sample or validateStroke() refuses it.
 void checkSamples(const Stroke& stroke, const std::string& place);
 
-/// Ids in rising order. \param what  the messages' word for one of them.
+/// Ids in rising order.
+/// \param what  the messages' word for one of them.
 std::vector<int> idsFromJson(const nlohmann::json& value, const std::string& place);
 std::string idsText(const std::vector<int>& ids);
 
 /// The libraries of the states of a document, by the templates that it added.
 class StoredLibraries {
   public:
-    /// \param own  the templates that states may name. \param used  templates that steps used and
-    /// that may have come from elsewhere: where `shipped` lacks them, they join it.
+    /// \param own  the templates that states may name.
+    /// \param used  templates that steps used and that may have come from elsewhere: where
+    ///     `shipped` lacks them, they join it.
     StoredLibraries(const TemplateLibrary& shipped, std::vector<Template> own,
                     const std::vector<Template>& used = {});
 

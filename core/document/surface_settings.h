@@ -90,8 +90,9 @@ Result<void> checkSubdivision(const SubdivisionSettings& settings);
 /// for an edge that does not exist.
 Result<std::vector<EdgeRef>> chosenEdges(const std::vector<Body>& bodies, const EdgeChoice& choice);
 
-/// The edge nearest to a world point; of equally near ones the first. \param body  only this body's
-/// edges where not -1. Errors: NoSolid, NoEdge where there is no such body.
+/// The edge nearest to a world point; of equally near ones the first.
+/// \param body  only this body's edges where not -1.
+/// Errors: NoSolid, NoEdge where there is no such body.
 Result<EdgeRef> nearestEdge(const std::vector<Body>& bodies, const Vec3& world, int body = -1);
 
 /// A world point for which nearestEdge() gives this edge; nothing where another edge of another

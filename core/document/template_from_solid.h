@@ -15,6 +15,7 @@ namespace ew {
 /// Equal lengths are not taken over: they are mostly chance.
 /// Errors: NoSolid; BadTemplate for several bodies and for faces with holes. Whether the template
 /// can be used is checked by TemplateLibrary::with. O(E^2).
+/// \paper{4.2}
 Result<Template> templateFromBodies(const std::vector<Body>& bodies, const std::string& id,
                                     const std::string& name);
 

@@ -19,8 +19,7 @@
 
 namespace ew {
 
-// The lock
-// ------------------------------------------------------------------------------------------
+// The lock ---------------------------------------------------------------------------------------
 
 std::unique_ptr<WorkLock> WorkLock::take(const QString& path) {
     constexpr mode_t kPrivate = 0600;
@@ -36,8 +35,7 @@ std::unique_ptr<WorkLock> WorkLock::take(const QString& path) {
 
 WorkLock::~WorkLock() { ::close(descriptor_); }
 
-// Notes
-// ---------------------------------------------------------------------------------------------
+// Notes ------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -86,8 +84,7 @@ WorkNote WorkFolder::readNote(const QString& path) {
     return note;
 }
 
-// The folder
-// ----------------------------------------------------------------------------------------
+// The folder -------------------------------------------------------------------------------------
 
 QString WorkFolder::standardPath() {
     QString state = qEnvironmentVariable("XDG_STATE_HOME");
@@ -122,7 +119,8 @@ std::size_t bytesOf(const QString& path) {
                                     QFileInfo(path + QStringLiteral("-wal")).size());
 }
 
-/// Looks into a copy. \return false where there is nothing in it.
+/// Looks into a copy.
+/// \return false where there is nothing in it.
 bool lookInto(WorkCopyEntry& entry) {
     entry.time = lastWritten(entry.path);
     auto database = Database::openFile(QFile::encodeName(entry.path).toStdString(), schema::kKind,

@@ -38,7 +38,7 @@ inline constexpr std::size_t kMaxLines = 300;
 /// Are there more lines than kMaxLines?
 bool isCrowded(const InkReading& ink, double distancePx);
 
-/// Step 1b (paper 4.1.1, case 1): the Edge Graph of straight pieces of ink. Ends within the
+/// Step 1b, case 1: the Edge Graph of straight pieces of ink. Ends within the
 /// distance threshold meet in one junction; ends close to the inside of a line make a T junction;
 /// overshoot is trimmed; what borders no region is dropped and listed as noise or dangling, with
 /// the open ends that look as if they were meant to meet something. After the topology is settled
@@ -48,6 +48,7 @@ bool isCrowded(const InkReading& ink, double distancePx);
 /// first:
 ///         the others take fewer or more of the slight bends for the middle of an edge that was
 ///         drawn in two strokes. Never empty; a graph without edges where nothing is closed.
+/// \paper{4.1.1}
 std::vector<EdgeGraph> buildEdgeGraphs(const InkReading& ink, double distancePx,
                                        const ReadingOptions& options = {});
 

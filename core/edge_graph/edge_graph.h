@@ -29,6 +29,7 @@ struct GraphEdge {
 };
 
 /// Why something was dropped from the graph.
+/// \paper{4.1.3}
 enum class NoiseKind { Dot, Scribble, Curve, Stray, Overshoot, ModelEdge };
 
 /// A stroke, or a part of one, that is not in the graph.
@@ -43,7 +44,7 @@ struct OpenEnd {
     Vec2 tip = Vec2::Zero();     ///< [px]
     Vec2 target = Vec2::Zero();  ///< where it should have met [px]
     double gapPx = 0.0;          ///< distance of the two [px], > the distance threshold
-    int edge = -1;               ///< index into danglingEdges
+    int edge = -1;               ///< index into EdgeGraph::dangling
 };
 
 /// A drawn line that is attached at one end only.
@@ -53,9 +54,10 @@ struct DanglingEdge {
     std::vector<int> strokes;
 };
 
-/// The 2D Edge Graph (paper 4.1): a plane graph on the Sketch Plane. Edges meet in junctions
+/// The 2D Edge Graph: a plane graph on the Sketch Plane. Edges meet in junctions
 /// only; every edge borders a closed region. Junction and edge order is deterministic but has
 /// no meaning.
+/// \paper{4.1}
 struct EdgeGraph {
     std::vector<Junction> junctions;
     std::vector<GraphEdge> edges;

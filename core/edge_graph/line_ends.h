@@ -33,7 +33,8 @@ double joinReach(const InkLine& line, const JoinOptions& options);
 double endDistance(const InkLine& line, int side, const Vec2& junction);
 
 /// The point where lines meet that have these ends: weighted least squares, each end being precise
-/// across its line and loose along it. \pre at least one end.
+/// across its line and loose along it.
+/// \pre at least one end.
 Vec2 meetingPoint(const std::vector<InkLine>& lines, const std::vector<LineEnd>& ends,
                   double distancePx);
 

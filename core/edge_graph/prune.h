@@ -18,6 +18,7 @@ struct PrunedEdge {
 };
 
 /// Takes out everything that borders no region: dangling trees and bridges. Returns what was taken.
+/// \paper{4.1.3}
 std::vector<PrunedEdge> pruneOpen(RawGraph& graph);
 
 /// Unites the two edges at every vertex of degree two that is certainly no corner (one line, or a

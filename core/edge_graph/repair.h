@@ -31,6 +31,7 @@ struct RepairedGraph {
 /// squared distance over squared spread), leaving out an edge (little where another edge runs
 /// beside it), and taking a bend for straight. Returns those whose shape is known, cheapest first.
 /// Cost: O(states * (V^2 + E^2)).
+/// \paper{4.1.3}
 std::vector<RepairedGraph> repairedGraphs(const InkReading& ink,
                                           const std::vector<GraphDraft>& drafts,
                                           const RepairOptions& options);

@@ -38,7 +38,7 @@ struct BooleanOutcome {
 
 /// Exact boolean of two solids in one frame. Coplanar neighbours are one face in the result, no
 /// vertex lies on a straight edge; a face with holes is one face. The result passed the validity
-/// check of design.md. The same input gives the same result, bit by bit.
+/// check of docs/design.md. The same input gives the same result, bit by bit.
 ///
 /// Vertices and faces of the target that are left come first, in their order, then those of the
 /// tool and new ones.
@@ -50,6 +50,7 @@ struct BooleanOutcome {
 /// or the tool misses something by a rounding error, tol::kSliverRelative), TooLarge for
 /// coordinates longer than tol::kMaxExactBits. Cost: O(faces) plus the work where the two boxes
 /// overlap.
+/// \paper{5.2.2}
 Result<BooleanOutcome> combine(const Solid& target, const Solid& tool, BooleanKind kind);
 
 }  // namespace ew

@@ -54,8 +54,9 @@ bool collinear(const PointView& a, const PointView& b, const PointView& c);
 /// Sign of normal . p - offset.
 int sideOf(const RPlane& plane, const PointView& p);
 
-/// The plane with this normal through this point; `sign` receives +1 where the given normal and
-/// the plane's point the same way, else -1. \pre normal is not zero.
+/// The plane with this normal through this point; `sign` receives +1 where the given normal and the
+/// plane's point the same way, else -1.
+/// \pre normal is not zero.
 RPlane makePlane(const RVec& normal, const Rational& offset, int& sign);
 
 /// The plane of a polygon and the sense in which its outer loop runs round the normal; nothing
@@ -69,7 +70,8 @@ struct InFace {
     int a = -1, b = -1;  ///< the side a -> b, or the corner a
 };
 
-/// \param pointAt  PointView of a vertex index. \param axis  of the face's plane.
+/// \param pointAt  PointView of a vertex index.
+/// \param axis  of the face's plane.
 template <class PointAt>
 InFace locateInLoops(const FaceLoops& loops, int axis, const PointView& p, const PointAt& pointAt) {
     const int u = (axis + 1) % 3;
@@ -110,7 +112,8 @@ InFace locateInLoops(const FaceLoops& loops, int axis, const PointView& p, const
 std::size_t bitsOf(const RPlane& plane);
 std::size_t bitsOf(const Point3& p);
 
-/// Where the segment crosses the plane. \pre its ends lie on different sides.
+/// Where the segment crosses the plane.
+/// \pre its ends lie on different sides.
 OwnPoint crossing(const RPlane& plane, const PointView& a, const PointView& b);
 
 OwnPoint midpoint(const PointView& a, const PointView& b);

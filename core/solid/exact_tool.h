@@ -76,6 +76,7 @@ struct ToolSpec {
 /// its apex as it is. Faces and vertices keep their order.
 /// Errors: BadValue for an index that does not exist, Contradiction (the message names the face or
 /// corner) where no shape within tol::kToolMove obeys all rules, and those of Solid::fromSpec.
+/// \paper{5.2.2}
 Result<Solid> makeTool(const Solid& target, const ToolSpec& spec);
 
 }  // namespace ew

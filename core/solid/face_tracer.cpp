@@ -66,8 +66,7 @@ class Tracer {
   private:
     PointView point(int i) const { return overlay_.point(i, target_, tool_); }
 
-    // Loops
-    // ------------------------------------------------------------------------------------
+    // Loops --------------------------------------------------------------------------------------
 
     /// The plane's axes in which the group's faces run counter-clockwise.
     static std::array<int, 2> axesOf(const SideGroup& group) {
@@ -139,8 +138,7 @@ class Tracer {
         return best;
     }
 
-    // Points
-    // ------------------------------------------------------------------------------------
+    // Points -------------------------------------------------------------------------------------
 
     /// A point with just two edges in a line is no corner. Points where nothing was cut keep
     /// their edges, and not all of those are known here.
@@ -202,8 +200,7 @@ class Tracer {
         return true;
     }
 
-    // Faces
-    // ------------------------------------------------------------------------------------
+    // Faces --------------------------------------------------------------------------------------
 
     /// Signed area of a loop, in the group's sense; only the sign is exact.
     double areaSign(const SideGroup& group, const std::vector<int>& loop) const {
@@ -229,7 +226,8 @@ class Tracer {
         return sgn(exact);
     }
 
-    /// Is the point inside the loop? \pre it is not on it.
+    /// Is the point inside the loop?
+    /// \pre it is not on it.
     bool encloses(const SideGroup& group, const std::vector<int>& loop, const PointView& p,
                   bool& onIt) const {
         const auto [u, v] = axesOf(group);

@@ -56,8 +56,7 @@ class Overlayer {
     }
 
   private:
-    // Planes
-    // ------------------------------------------------------------------------------------
+    // Planes -------------------------------------------------------------------------------------
 
     void nameClasses() {
         std::map<std::array<double, 4>, std::vector<int>> known;
@@ -77,8 +76,7 @@ class Overlayer {
         }
     }
 
-    // Nodes
-    // ------------------------------------------------------------------------------------
+    // Nodes --------------------------------------------------------------------------------------
 
     int nodeAt(const PointView& p) const {
         const auto range = byPlace_.equal_range({p.r.x(), p.r.y(), p.r.z()});
@@ -162,8 +160,7 @@ class Overlayer {
         }
     }
 
-    // Pieces
-    // ------------------------------------------------------------------------------------
+    // Pieces -------------------------------------------------------------------------------------
 
     /// Nodes of one line in order along it.
     void sortAlong(std::vector<int>& nodes) const {
@@ -253,8 +250,7 @@ class Overlayer {
         }
     }
 
-    // Evaluation
-    // ------------------------------------------------------------------------------------
+    // Evaluation ---------------------------------------------------------------------------------
 
     /// Sign of (normal of the plane x direction of the piece) . normal of a facet.
     int leftSign(const RPlane& plane, const Piece& piece, const RPlane& facet) const {

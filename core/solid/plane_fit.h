@@ -21,7 +21,8 @@ struct FittedPlane {
 
 /// Planes of all faces. Faces with parallel normals (tol::kParallelSine) share one normal, faces in
 /// one plane (tol::kSamePlaneRelative) share the plane; coefficients are rounded to
-/// tol::kPlaneGrid. \pre every face has an area.
+/// tol::kPlaneGrid.
+/// \pre every face has an area.
 std::vector<FittedPlane> fitPlanes(const PolyhedronSpec& spec);
 
 }  // namespace ew

@@ -26,8 +26,9 @@ class SideFacePairs {
         Box3 box;
     };
 
-    /// \param points  rounded. \param within  the part; null for all. \param margin  boxes reach
-    ///                that much farther [mm].
+    /// \param points  rounded.
+    /// \param within  the part; null for all.
+    /// \param margin  boxes reach that much farther [mm].
     SideFacePairs(const std::vector<Vec3>& points, const std::vector<FaceLoops>& faces,
                   const Box3* within, double margin)
         : points_(points), within_(within), margin_(margin), facesAt_(points.size()) {

@@ -36,8 +36,8 @@ struct SolidTriangle {
 
 /// An immutable closed solid with planar faces in its own body frame: an OpenMesh half-edge mesh
 /// with exact (EPECK) points behind the doubles given here. Copies share their data. A Solid
-/// always passed the validity check of design.md: closed, 2-manifold, oriented, planar regions,
-/// free of self-intersection, positive volume of every outer shell.
+/// always passed the validity check of docs/design.md: closed, 2-manifold, oriented, planar
+/// regions, free of self-intersection, positive volume of every outer shell.
 class Solid {
   public:
     /// Builds a solid from faces. Vertices are moved (far below drawing accuracy, at most 1e-6 of

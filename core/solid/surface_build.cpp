@@ -11,8 +11,7 @@
 namespace ew {
 namespace {
 
-// The person's view
-// --------------------------------------------------------------------------------
+// The person's view ------------------------------------------------------------------------------
 
 /// True where the solid is convex along a halfedge: the far corner of the neighbour lies behind
 /// the plane of the near triangle.

@@ -22,8 +22,8 @@ Result<void> fillMesh(const std::vector<Point3>& points, const Triangulated& fro
 /// The plane of a face; null where its points do not lie in one plane exactly.
 std::shared_ptr<const RPlane> exactPlane(const std::vector<Point3>& points, const FaceLoops& loops);
 
-/// Fills the person's view and the measures. \pre the surface passed the gate; faceOfTriangle
-/// ascends with the mesh faces; planes by face.
+/// Fills the person's view and the measures.
+/// \pre the surface passed the gate; faceOfTriangle ascends with the mesh faces; planes by face.
 std::shared_ptr<const Solid::Impl> finishSolid(ExactMesh surface, const ExactBrep& brep,
                                                const std::vector<int>& faceOfTriangle,
                                                FacePlanes planes);

@@ -110,8 +110,7 @@ void ToolFixing::vertexOn(int vertex, const RPlane& plane) {
     demands_.push_back(demand);
 }
 
-// One node
-// ---------------------------------------------------------------------------------------
+// One node ---------------------------------------------------------------------------------------
 
 /// Directions that the plane contains for certain, two at most.
 std::vector<RVec> ToolFixing::spansOf(const PlaneNode& node) {
@@ -220,8 +219,7 @@ std::optional<RVec> ToolFixing::pointFrom(const PointNode& node, const Vec3& wis
     return p;
 }
 
-// The order
-// ---------------------------------------------------------------------------------------
+// The order --------------------------------------------------------------------------------------
 
 bool ToolFixing::isFixed(std::size_t node) const {
     return node < points_.size() ? points_[node].fixed.has_value()

@@ -53,6 +53,7 @@ enum class Facing { Front, EdgeOn, Back };
 /// edges of touching parts and edges on the border of the faces round them are not hidden by those.
 ///
 /// Cost: O(n log n) for n faces of a size; 10,000 faces in some tens of ms.
+/// \paper{4.1.2}
 class SolidView {
   public:
     /// Errors: BadValue for a camera that is none.

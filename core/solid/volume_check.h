@@ -13,7 +13,8 @@ namespace ew {
 Result<void> checkFaces(const ExactMesh& surface, const std::vector<Mesh::FaceHandle>& faces);
 
 /// Shells that lie in an even number of others look outwards, the others inwards. Errors:
-/// NotOriented, NoVolume. \pre closed, 2-manifold, free of self-intersection.
+/// NotOriented, NoVolume.
+/// \pre closed, 2-manifold, free of self-intersection.
 Result<void> checkShells(const ExactMesh& surface);
 
 /// Volume of the closed surface [mm^3]; negative where it is inside out. The same for meshes that

@@ -69,9 +69,11 @@ class Database {
     Result<void> commit();
     void rollback();
 
-    /// Writes a row, in place of the one with the same key. \pre one field a column, without `sum`.
+    /// Writes a row, in place of the one with the same key.
+    /// \pre one field a column, without `sum`.
     Result<void> put(const Table& table, const Row& row);
-    /// Removes the row with this key, if there is one. \param key  the first Table::keys fields.
+    /// Removes the row with this key, if there is one.
+    /// \param key  the first Table::keys fields.
     Result<void> remove(const Table& table, const Row& key);
     /// Removes everything from all tables.
     Result<void> clear();

@@ -31,6 +31,7 @@ struct ConsolidateOptions {
 /// Merges overtraced lines by angle, distance and overlap; the merged line is fitted to the ink of
 /// all. Broken lines (end to end) stay apart here: whether they are one edge depends on what else
 /// ends there. O(n^2) in the number of segments.
+/// \paper{4.1.1}
 std::vector<InkLine> consolidate(const std::vector<Segment>& segments,
                                  const ConsolidateOptions& options);
 

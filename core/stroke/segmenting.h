@@ -39,6 +39,7 @@ struct StrokeReading {
 /// \param wobblePx    how far this hand strays from straight lines, rms [px], > 0.
 /// \return kind Dot, Scribble or Curve where the stroke is no polyline: it is never forced to be
 /// one. Cost: O(n) + O(m) with m <= 1500 resampled points.
+/// \paper{4.1.1}
 StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, double wobblePx);
 
 /// Total-least-squares line through points; ends are the extreme projections.

@@ -22,6 +22,7 @@ struct Stroke {
 };
 
 /// The two thresholds of the paper.
+/// \paper{4.1} \paper{7.4}
 struct Thresholds {
     double distancePx = 14.0;  ///< do stroke ends meet at one vertex? [px], 1..100
     double angleDeg = 12.0;    ///< are two edges parallel? [degrees], 0.5..45

@@ -50,7 +50,8 @@ class BendGrid {
     bool folded() const { return folded_; }
 
     /// Largest second derivative of a border curve, across the curve: how its points are spaced is
-    /// no bend. \param side  0 (along u, v = 0) .. 3, counter-clockwise.
+    /// no bend.
+    /// \param side  0 (along u, v = 0) .. 3, counter-clockwise.
     double curve(int side) const;
 
   private:

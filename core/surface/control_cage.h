@@ -49,6 +49,7 @@ struct ControlOptions {
 /// are not convex are split into convex quadrangles and triangles; for Loop all is triangles.
 /// Errors: BadValue for sharpness or ratio out of range (NaN included) or a list of the wrong
 /// length.
+/// \paper{6.1}
 Result<ControlCage> controlCage(const FilletedCage& cage, const ControlOptions& options);
 
 }  // namespace ew

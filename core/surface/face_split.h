@@ -11,7 +11,8 @@ namespace ew {
 
 /// Splits a planar polygon, with holes or not convex, into convex quadrangles and triangles over
 /// its own corners: the triangles of a constrained Delaunay triangulation, joined in pairs, those
-/// first that make the squarest quadrangles. \param loops   indices into points, [0] the outline.
+/// first that make the squarest quadrangles.
+/// \param loops  indices into points, [0] the outline.
 /// \return empty where the polygon is not simple.
 std::vector<std::vector<int>> splitFace(const std::vector<Vec3>& points,
                                         std::span<const std::span<const int>> loops);

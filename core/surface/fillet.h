@@ -62,7 +62,7 @@ struct FilletedCage {
     std::vector<FilletClamp> clamped;  ///< in the order of the edges; empty where all fit
 };
 
-/// The fillet operation (paper, section 6.2; contract in algorithms.md). Every chosen edge becomes
+/// The fillet operation (contract in docs/algorithms.md). Every chosen edge becomes
 /// a strip of `segments` flat quadrangles whose sides lie in its two faces, parallel to the edge at
 /// the setback; where chosen edges meet, the corner becomes one flat face or a patch of faces, and
 /// where a strip ends among unchosen edges, it runs into the face that it meets or ends in a flat
@@ -80,6 +80,7 @@ struct FilletedCage {
 /// Errors: NoEdge where none is chosen; BadValue for an edge that does not exist or is chosen
 /// twice, a setback that is not finite or not positive, segments out of range.
 /// O(n log n) in the number of faces made, the final check included.
+/// \paper{6.2}
 Result<FilletedCage> fillet(const Solid& solid, const FilletOptions& options);
 
 /// The solid's own surface as a cage: what fillet() would make of no edge at all.

@@ -61,7 +61,8 @@ struct SweptCorner {
 
 /// A grid of quadrangles: the profile of the strips is moved along the arc in which the third
 /// strip's surface meets the face's plane. A part of a torus where all is at right angles and of
-/// one setback. \pre starts are ahead of the corner.
+/// one setback.
+/// \pre starts are ahead of the corner.
 void addSweptPatch(PolyMesh& mesh, const SweptCorner& corner);
 
 }  // namespace ew

@@ -36,6 +36,7 @@ struct MappedStrokes {
 
 /// Triangles made ready for many strokes through one camera: projected, and sorted by place. Keep
 /// it while the camera and the triangles stay as they are. O(n log n) to make.
+/// \paper{7.1}
 class StrokeCanvas {
   public:
     /// Errors: those of OrthographicCamera::validate; BadValue for positions that are not finite or

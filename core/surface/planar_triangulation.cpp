@@ -44,7 +44,8 @@ Kernel::Point_2 flattened(const Vec3& p, int axis, bool flip) {
                 : Kernel::Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]);
 }
 
-/// Inserts further points; takes those off the list that are not inside. \pre marked.
+/// Inserts further points; takes those off the list that are not inside.
+/// \pre marked.
 void insertPoints(Cdt& cdt, const std::vector<Vec3>& points, std::vector<int>& inside, int axis,
                   bool flip) {
     const auto place = [&](int i) {

@@ -51,6 +51,7 @@ struct SubdivisionOptions {
 /// triangles) or coordinates that are not finite; NotClosed, NotManifold, NotOriented;
 /// TooMuchMemory, before anything large is allocated; Internal where OpenSubdiv refuses.
 /// Several shells are one surface of several shells. O(triangles).
+/// \paper{6.1}
 Result<SurfaceMesh> subdivide(const ControlCage& cage, const SubdivisionOptions& options);
 
 /// Bytes that the result of subdivide() takes at most.

@@ -54,7 +54,8 @@ bool SurfaceEvaluator::inPlane(int face, double distance) const {
     });
 }
 
-/// Where the control points of a class are in the hulls of its faces. \pre the face is selected.
+/// Where the control points of a class are in the hulls of its faces.
+/// \pre the face is selected.
 bool SurfaceEvaluator::learn(int face) {
     std::vector<int>& places = control_[at(classes_.of(face))];
     if (!places.empty()) return true;

@@ -33,7 +33,8 @@ class SurfaceEvaluator {
     bool inPlane(int face, double distance) const;
 
     /// Chooses the face, the coordinates and the weights that evaluate() speaks of; all of them
-    /// must stay until the next call. \param weights  of faces of this class for these coordinates.
+    /// must stay until the next call.
+    /// \param weights  of faces of this class for these coordinates.
     void begin(int face, const std::vector<Vec2>& coords, PointWeights& weights);
     /// The surface at coordinate i of the chosen face; a zero normal where it has none. False where
     /// the face has no surface.

@@ -189,7 +189,8 @@ std::array<double, 2> piecesByBend(const std::vector<Bend>& bends, double tolera
     return fewAlongV ? best : std::array<double, 2>{best[1], best[0]};
 }
 
-/// Pieces along u and v. \param few  tells whether nu x nv cells, 1 or 2 each, are near enough.
+/// Pieces along u and v.
+/// \param few  tells whether nu x nv cells, 1 or 2 each, are near enough.
 template <class Few>
 std::array<double, 2> pieces(const std::vector<Bend>& bends, double tolerance, const Few& few) {
     if (worstCell(bends, 1.0, 1.0) <= tolerance) return {1.0, 1.0};

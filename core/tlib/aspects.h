@@ -17,7 +17,7 @@ enum class AspectKind {
     Cavity,    ///< the outline of that mouth, and the walls as they are seen through it
 };
 
-/// A 2D Edge Graph that a template can show (paper 4.2.1): what is visible from one class of
+/// A 2D Edge Graph that a template can show: what is visible from one class of
 /// directions.
 struct Aspect {
     std::string name;  ///< "explicit-3": three visible faces
@@ -45,17 +45,19 @@ void indexAspect(Aspect& aspect);
 /// faces, and views that do not hang together, are left out: no drawing in free space can be read
 /// from them. Cost: a few ms for a template of 12 vertices; convex templates need no occlusion
 /// test.
+/// \paper{4.2.1}
 std::vector<Aspect> explicitAspects(const Template& tmpl, const TemplateAnalysis& analysis);
 
 /// The aspects of a convex template that show just two faces because all others are hidden or seen
 /// edge-on ("edge-on-2"): front and top of a box, say.
 std::vector<Aspect> edgeOnAspects(const Template& tmpl, const TemplateAnalysis& analysis);
 
-/// Derives the implicit aspects (paper 4.2.2) that a cut shows: for every connected set of up to
+/// Derives the implicit aspects that a cut shows: for every connected set of up to
 /// four faces that can be seen together, their outlines alone (two faces or more, or the inside
 /// would not be told), and, of convex templates, their common outline with the walls behind as far
 /// as they are seen through it. Proportions matter to the latter, so the shape is looked at
 /// stretched along the mouth's normal too. Cost: about 10 ms for a template of 12 edges.
+/// \paper{4.2.2}
 std::vector<Aspect> implicitAspects(const Template& tmpl, const TemplateAnalysis& analysis);
 
 /// One view: the visible edges of the shape along a direction. Empty name where the view is

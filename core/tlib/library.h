@@ -14,6 +14,7 @@ struct LibraryIndex;  // aspects of all templates and their hash index; see aspe
 
 /// The topology library (T-LIB): templates with their derived aspects. A value; copies share the
 /// templates. Adding a template returns a new library, so snapshots for undo are cheap.
+/// \paper{4.2}
 class TemplateLibrary {
   public:
     TemplateLibrary();

@@ -45,6 +45,7 @@ struct LazyIndex {
 
 /// The same templates with their implicit aspects in addition, for drawings on a solid. Derived
 /// once, on first use. Thread-safe.
+/// \paper{4.2.2}
 const LibraryIndex& onSolidIndex(const LibraryIndex& index);
 
 /// Derives the aspects of a checked template and adds it.

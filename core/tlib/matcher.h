@@ -34,6 +34,7 @@ struct MatchOptions {
 /// Finds all aspects with this graph. A hash of the canonical code finds the aspects in O(1), so
 /// the cost does not grow with templates that do not fit; the walks of the canonical form are the
 /// maps; maps that differ by a symmetry of the template are one match.
+/// \paper{4.2}
 std::vector<GraphMatch> matchGraph(const EdgeGraph& graph, const LibraryIndex& library,
                                    const MatchOptions& options);
 

@@ -31,7 +31,8 @@ struct TemplateReading {
     TemplateRelations relations;  ///< held in addition to the template's own
 };
 
-/// A template of T-LIB: a 3D topology with its relations (design.md, step 2).
+/// A template of T-LIB: a 3D topology with its relations (docs/design.md, step 2).
+/// \paper{4.2}
 struct Template {
     std::string id;           ///< stable, [a-z0-9-]+
     std::string name;         ///< shown to people

@@ -17,6 +17,7 @@ inline constexpr std::size_t kMaxTemplateVertices = 64;
 /// \param source  name for messages, e.g. the file name.
 /// Errors: Syntax, WrongFormat, WrongVersion, UnknownKey, MissingKey, WrongType, BadValue,
 /// TooLarge, TooDeep, BadTemplate; messages name the JSON path, e.g. "cube.json: /faces/2/0: ...".
+/// \paper{4.2}
 Result<Template> readTemplate(std::string_view json, const std::string& source);
 
 /// The template as JSON text that readTemplate reads back.

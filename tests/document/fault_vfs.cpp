@@ -17,7 +17,8 @@ std::atomic<int> left = 0;
 std::atomic<bool> failed = false;
 std::atomic<FaultyDisk::Fault> kind = FaultyDisk::Fault::Fail;
 
-/// Does this write fail? \param tear  set where half of it arrives.
+/// Does this write fail?
+/// \param tear  set where half of it arrives.
 bool failsNow(bool& tear) {
     tear = false;
     if (!armed) return false;

@@ -34,7 +34,8 @@ const TemplateLibrary& shippedLibrary();
 std::unique_ptr<Document> fakeDocument();
 
 /// One random thing that a person can do; what is refused changes nothing.
-/// \param what  0..kDeeds - 1. \param number  0..29, how it is done.
+/// \param what  0..kDeeds - 1.
+/// \param number  0..29, how it is done.
 inline constexpr int kDeeds = 23;
 void doSomething(Document& document, int what, int number);
 

@@ -187,8 +187,7 @@ TEST(InkTime, ScriptsUndoInkToo) {
               Errc::BadValue);
 }
 
-// Ink that is not used
-// ------------------------------------------------------------------------------------------
+// Ink that is not used ---------------------------------------------------------------------------
 
 /// Explains the first stroke in its first candidate, all but the second in the other.
 Interpretation choosy(const std::vector<Stroke>& strokes, const TemplateLibrary& library,

@@ -37,8 +37,7 @@ RC_GTEST_PROP(BooleanChain, RandomBoxesAgainstVoxels, ()) {
     RC_ASSERT(!::testing::Test::HasFatalFailure());
 }
 
-// 200 modifications in a row
-// ---------------------------------------------------------------------------------------
+// 200 modifications in a row ---------------------------------------------------------------------
 
 bool isRefusal(Errc code) {
     return code == Errc::NoChange || code == Errc::NothingLeft || code == Errc::TouchesInEdge ||

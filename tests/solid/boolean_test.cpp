@@ -12,8 +12,7 @@
 namespace ew::test {
 namespace {
 
-// Every relation of two intervals, per axis
-// ---------------------------------------------------------------------------------------
+// Every relation of two intervals, per axis ------------------------------------------------------
 
 /// The target's interval is 3..7; the tool's stands in one of these ways to it. The other ways are
 /// mirror images, which the rotations bring.
@@ -50,8 +49,7 @@ TEST(BooleanTable, EveryRelationOfTwoBoxesUnderAllRotations) {
     EXPECT_EQ(table, 120);
 }
 
-// Parts of several boxes
-// ---------------------------------------------------------------------------------------
+// Parts of several boxes -------------------------------------------------------------------------
 
 constexpr auto kAdd = BooleanKind::Add;
 constexpr auto kCut = BooleanKind::Cut;
@@ -213,8 +211,7 @@ TEST(BooleanTable, CutParts) {
     }
 }
 
-// What is reported
-// ---------------------------------------------------------------------------------------
+// What is reported -------------------------------------------------------------------------------
 
 const Eigen::Matrix3i kStill = Eigen::Matrix3i::Identity();
 

@@ -211,8 +211,7 @@ RC_GTEST_PROP(SolidProperty, RandomFacesNeverCrash, ()) {
     }
 }
 
-// The text form
-// ---------------------------------------------------------------------------------------
+// The text form ----------------------------------------------------------------------------------
 
 std::string boxText() { return Solid::fromSpec(box(Vec3::Zero(), Vec3(1, 2, 3)))->serialize(); }
 

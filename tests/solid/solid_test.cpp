@@ -221,8 +221,7 @@ TEST(Solid, CopiesAreIdenticalAndOthersAreNot) {
     EXPECT_FALSE(a.identicalTo(made(pyramid(4))));
 }
 
-// Refusals
-// ------------------------------------------------------------------------------------------
+// Refusals ---------------------------------------------------------------------------------------
 
 struct Bad {
     const char* name;

@@ -33,8 +33,7 @@ std::size_t countIf(const std::vector<VisiblePiece>& pieces, bool (*what)(const 
     return static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), what));
 }
 
-// The oracle: samples along every edge, against every triangle
-// ---------------------------------------------------------------------------------------
+// The oracle: samples along every edge, against every triangle -----------------------------------
 
 /// Is a point hidden by anything nearer to the eye? Brute force in world coordinates.
 bool hidden(const Solid& solid, const SolidEdge& edge, const Vec3& p, const Vec3& toEye) {
@@ -120,8 +119,7 @@ TEST(Visibility, AgreesWithSamplesOnAHoledTurnedBody) {
     }
 }
 
-// Known pictures
-// ---------------------------------------------------------------------------------------
+// Known pictures ---------------------------------------------------------------------------------
 
 TEST(Visibility, ABoxShowsNineEdges) {
     const Solid solid = *Solid::fromSpec(box(Vec3::Zero(), Vec3(4, 3, 2)));
@@ -233,8 +231,7 @@ TEST(Visibility, TouchingPartsHideNothingOfTheirOwn) {
     }
 }
 
-// Picking
-// ---------------------------------------------------------------------------------------
+// Picking ----------------------------------------------------------------------------------------
 
 RC_GTEST_PROP(Visibility, PickFindsTheNearestFace, ()) {
     Random random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1 << 30)));

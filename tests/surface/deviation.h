@@ -28,7 +28,8 @@ inline double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 }
 
 /// Largest distance from points of the limit surface to the triangles: what SubdivisionOptions
-/// calls the tolerance, measured instead of judged. \param reach  about what is expected [mm].
+/// calls the tolerance, measured instead of judged.
+/// \param reach  about what is expected [mm].
 inline double deviation(std::span<const Vec3> points, const SurfaceMesh& surface, double reach) {
     const auto corner = [&](std::size_t t, std::size_t k) -> const Vec3& {
         return surface.positions[static_cast<std::size_t>(surface.triangles[t][k])];

@@ -393,7 +393,8 @@ TEST(Subdivision, RandomCagesStayClosed) {
             subdivision.tolerance = 0.003 * size;
             const SurfaceMesh adaptive = surfaceOf(polygons, subdivision);
             EXPECT_TRUE(checkClosed(asMesh(adaptive))) << number;
-            for (const Eigen::Vector3f& n : adaptive.normals) EXPECT_NEAR(n.norm(), 1.0, 1e-6) << number;
+            for (const Eigen::Vector3f& n : adaptive.normals)
+                EXPECT_NEAR(n.norm(), 1.0, 1e-6) << number;
         }
     }
 }

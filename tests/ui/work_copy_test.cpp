@@ -25,8 +25,8 @@ class WorkCopies : public WindowTest {
 
     WorkKeeper& keeper() { return *window_->workKeeper(); }
 
-    /// A machine that was switched off now and where the program is started again. \return the
-    /// folder with what it finds.
+    /// A machine that was switched off now and where the program is started again.
+    /// \return the folder with what it finds.
     QString afterPowerCut() {
         EXPECT_TRUE(keeper().copy().flush());
         const QString there = folder_.filePath(QStringLiteral("cut%1").arg(++cuts_));

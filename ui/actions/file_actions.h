@@ -70,7 +70,8 @@ class FileActions : public QObject {
     };
     /// Asks for a file to write. A name without one of the endings gets that of the filter; where
     /// this makes it the name of a file that is there, that is asked about, as the dialog does for
-    /// names that are typed whole. \param filter  set to the filter that was chosen.
+    /// names that are typed whole.
+    /// \param filter  set to the filter that was chosen.
     QString askWhereTo(const SaveDialog& what, QString* filter = nullptr);
     bool openDocument(const QString& path);
     bool openScript(const QString& path, const std::string& text);

@@ -12,6 +12,7 @@ class GraphView;
 class LiveReading;
 
 /// The Edge Graph with a heading that names template, aspect and score.
+/// \paper{7.4}
 class GraphPanel : public QWidget {
     Q_OBJECT
 

@@ -98,8 +98,7 @@ QFormLayout* SurfacePanel::addGroup(const QString& title) {
     return form;
 }
 
-// Fillet
-// --------------------------------------------------------------------------------------------
+// Fillet -----------------------------------------------------------------------------------------
 
 void SurfacePanel::buildFillet() {
     QFormLayout* form = addGroup(tr("Fillet"));
@@ -227,8 +226,7 @@ void SurfacePanel::setRadius(double radius) {
     radiusSlider_->setValue(static_cast<int>(std::lround(t * kSliderSteps)));
 }
 
-// Refreshing
-// ----------------------------------------------------------------------------------------
+// Refreshing -------------------------------------------------------------------------------------
 
 void SurfacePanel::refresh() {
     refreshEdges();

@@ -185,8 +185,7 @@ void SurfacePanel::refreshSurface() {
     refreshing_ = false;
 }
 
-// Strokes
-// -------------------------------------------------------------------------------------------
+// Strokes ----------------------------------------------------------------------------------------
 
 void SurfacePanel::buildStrokes() {
     QFormLayout* form = addGroup(tr("Strokes on the surface"));

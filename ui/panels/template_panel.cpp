@@ -111,8 +111,7 @@ void TemplatePanel::describe() {
     lines << (relations.isEmpty() ? tr("No relations")
                                   : tr("Relations: %1").arg(relations.join(", ")));
     QStringList readings;
-    for (const TemplateReading& reading : t.readings)
-        readings << coreText(reading.name);
+    for (const TemplateReading& reading : t.readings) readings << coreText(reading.name);
     if (!readings.isEmpty()) lines << tr("Also read as: %1").arg(readings.join(", "));
     text_->setText(lines.join('\n'));
 }

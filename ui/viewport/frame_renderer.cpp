@@ -17,7 +17,7 @@
 namespace ew {
 
 namespace {
-constexpr int kSamples = 4;           // antialiasing of edges
+constexpr int kSamples = 4;          // antialiasing of edges
 constexpr double kRoughScale = 0.6;  // px of a rough picture for one of the window
 
 bool isSoftware(QOpenGLContext& context) {

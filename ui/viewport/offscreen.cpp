@@ -49,7 +49,8 @@ double weightOf(const OrthographicCamera& viewport, const QSize& size) {
     return std::max(1.0, viewport.worldPerPixel / scaled.worldPerPixel);
 }
 
-/// Draws a part of the picture. \return false where OpenGL cannot.
+/// Draws a part of the picture.
+/// \return false where OpenGL cannot.
 bool drawTile(FrameRenderer& renderer, const QRect& tile, const Weight& weight,
               const PictureLook& look, QImage& image) {
     const QSize size = tile.size() * weight.finer;

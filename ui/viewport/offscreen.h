@@ -14,9 +14,10 @@ namespace ew {
 /// dropped ink faded, the reading. Everything that is seen in the document's viewport is seen in
 /// the picture, whatever its size; in a larger one lines and grid are as much larger. Needs a
 /// QGuiApplication on a platform with OpenGL (xcb under X or Xvfb) that was prepared by
-/// prepareApplication(); no window is shown. \param path  .png; written whole or not at all. \param
-/// size  px, 16..16384 each way, at most 4096 with occlusion. Errors: BadValue for the size,
-/// NotAvailable without OpenGL, CannotWrite.
+/// prepareApplication(); no window is shown.
+/// \param path  .png; written whole or not at all.
+/// \param size  px, 16..16384 each way, at most 4096 with occlusion.
+/// Errors: BadValue for the size, NotAvailable without OpenGL, CannotWrite.
 Result<void> renderScreenshot(const Document& document, const QString& path, QSize size,
                               const PictureLook& look = {});
 

@@ -25,7 +25,8 @@ class Scene {
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    /// \param shape  of these bodies. \param mapped  the strokes that shape->curves speak of.
+    /// \param shape  of these bodies.
+    /// \param mapped  the strokes that shape->curves speak of.
     void setShape(const std::vector<Body>& bodies, std::shared_ptr<const DerivedShape> shape,
                   const std::vector<MappedStroke>& mapped);
     /// Edges of the bodies that are marked as chosen; unknown ones are left out.
@@ -40,8 +41,8 @@ class Scene {
     void setColours(const ThemeColours& colours);
     void setGridVisible(bool on);
     void setHiddenEdgesVisible(bool on);
-    /// Ambient occlusion: corners and hollows are darker, as under an even sky. \param samples  a
-    /// pixel, the more the smoother and the slower; 0: off.
+    /// Ambient occlusion: corners and hollows are darker, as under an even sky.
+    /// \param samples  a pixel, the more the smoother and the slower; 0: off.
     void setOcclusion(int samples);
     /// Device pixels per logical pixel, for line widths.
     void setScale(double devicePixelRatio);

@@ -161,8 +161,7 @@ struct TriangleSet {
 
 }  // namespace
 
-// Lines
-// ----------------------------------------------------------------------------------------------
+// Lines ------------------------------------------------------------------------------------------
 
 ShapeLines shapeLines(const std::vector<Body>& bodies, const DerivedShape& shape) {
     ShapeLines out;
@@ -229,8 +228,7 @@ vtkSmartPointer<vtkPolyData> dashedGeometry(const LinePieces& lines, const Vec3&
     return linesGeometry(dashes, origin);
 }
 
-// Faces
-// ----------------------------------------------------------------------------------------------
+// Faces ------------------------------------------------------------------------------------------
 
 vtkSmartPointer<vtkPolyData> flatGeometry(const std::vector<Body>& bodies,
                                           const DerivedShape& shape, const Vec3& origin) {
@@ -327,8 +325,7 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
     return data;
 }
 
-// Ribbons
-// --------------------------------------------------------------------------------------------
+// Ribbons ----------------------------------------------------------------------------------------
 
 namespace {
 

@@ -29,7 +29,8 @@ LinePieces cageLines(const std::vector<Body>& bodies, const DerivedShape& shape)
 /// One line a piece, less `origin`.
 vtkSmartPointer<vtkPolyData> linesGeometry(const LinePieces& lines, const Vec3& origin);
 
-/// Pieces cut into dashes. \param dashMm  length of a dash [mm]; gaps are two thirds of it.
+/// Pieces cut into dashes.
+/// \param dashMm  length of a dash [mm]; gaps are two thirds of it.
 vtkSmartPointer<vtkPolyData> dashedGeometry(const LinePieces& lines, const Vec3& origin,
                                             double dashMm);
 

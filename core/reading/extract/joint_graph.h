@@ -26,9 +26,10 @@ struct JointEdge {
     double redrawn = 0.0;           ///< model: share of it that a stroke ran along
 };
 
-/// T-EXTRACT (paper 4.1.2): the strokes, joined among themselves and with the visible edges of the
+/// T-EXTRACT: the strokes, joined among themselves and with the visible edges of the
 /// solid that they meet within the distance threshold. Model edges are cut at the meeting points;
 /// only stretches on a short way between two of them are kept.
+/// \paper{4.1.2}
 struct JointGraph {
     std::vector<InkLine> lines;  ///< strokes that run along no model edge
     std::vector<JointNode> nodes;
@@ -63,6 +64,7 @@ struct JointReading {
 /// that leave out the least ink first; at most `limit`. Best-first search: an open end of ink goes
 /// on along a way over model edges or is left out, then further ways may join what is closed
 /// already. Cost: at most some hundred choices of edges.
+/// \paper{4.1.3}
 std::vector<JointReading> closedReadings(const JointGraph& joint,
                                          const std::function<bool(const PlaneGraph&)>& known,
                                          double distancePx, std::size_t limit);

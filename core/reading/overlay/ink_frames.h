@@ -17,8 +17,8 @@ struct InkFrame {
 
 /// The frames of all triples of directions that lines of the ink share (those with most ink, at
 /// most five). Seen along axis i, the outline is as wide as the other two axes together, which is
-/// three linear equations for the three lengths. \param hull  corners of the convex hull of the ink
-/// [px].
+/// three linear equations for the three lengths.
+/// \param hull  corners of the convex hull of the ink [px].
 std::vector<InkFrame> inkFrames(const InkReading& ink, const std::vector<Vec2>& hull);
 
 }  // namespace ew

@@ -8,8 +8,9 @@
 
 namespace ew {
 
-/// Cracking (paper 5.2): faces of the solid that a change meets although the drawing does not lie
+/// Cracking: faces of the solid that a change meets although the drawing does not lie
 /// in them, ascending.
+/// \paper{5.2.3}
 std::vector<int> crackedFaces(const Solid& target, const BooleanReport& report,
                               const Placement& placement);
 

@@ -6,9 +6,10 @@
 
 namespace ew {
 
-/// A drawing in free space: Edge Graphs of the ink (paper 4.1.1, case 1), corrections of them and
-/// aspects laid over the ink as a whole, matched with the library (4.2.1) and reconstructed (5.1);
+/// A drawing in free space: Edge Graphs of the ink (case 1), corrections of them and
+/// aspects laid over the ink as a whole, matched with the library and reconstructed;
 /// all candidates compete under one cost.
+/// \paper{4.1.1}
 Interpretation readFreeDrawing(const InkReading& ink, const TemplateLibrary& library,
                                const InterpretOptions& options);
 

@@ -17,6 +17,7 @@ double unexplainedInk(const InkReading& ink, const Placement& placement, const G
 
 /// The strokes of which less than half runs along edges of the placed template or visible ones of
 /// the model, and those that are no lines. Ascending.
+/// \paper{4.1.3}
 std::vector<int> strokesBeside(const InkReading& ink, const Placement& placement,
                                const GraphMatch& match, const ModelView& view, double distancePx);
 

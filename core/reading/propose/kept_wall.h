@@ -24,6 +24,7 @@ struct KeptWall {
 /// \param movable  indices of `faces`
 /// \param met      faces of the solid
 /// \param gapPx    to stay clear by, and at least to be left
+/// \paper{5.2.3}
 std::optional<KeptWall> wallClearOf(const std::vector<std::vector<int>>& faces,
                                     const CameraPoints& points, const std::vector<int>& movable,
                                     const ModelView& model, const std::vector<int>& met,

@@ -13,9 +13,10 @@ struct ModificationReading {
     bool redraws = false;           ///< all strokes are edges of a solid already
 };
 
-/// Step 4 (paper 4.1.2 to 4.2.2): extracts the model edges that the strokes meet, matches the joint
+/// Step 4: extracts the model edges that the strokes meet, matches the joint
 /// graph with the aspects of templates on a solid, anchors, and carries every candidate's change
 /// out, exactly. Nothing is changed in place.
+/// \paper{5.2}
 ModificationReading readModification(const InkReading& ink, const TemplateLibrary& library,
                                      const InterpretOptions& options);
 

@@ -14,8 +14,9 @@
 
 namespace ew {
 
-/// A template placed on a solid (paper 4.2.2): some of its faces lie in faces of the solid, the
+/// A template placed on a solid: some of its faces lie in faces of the solid, the
 /// rest is new.
+/// \paper{5.2.1}
 struct Placement {
     Operation operation = Operation::Cut;        ///< Add or Cut
     std::vector<std::array<int, 2>> coinciding;  ///< template face, face of the solid
@@ -40,6 +41,7 @@ struct PlacementOptions {
 /// faces, edges and corners are anchored there; directions within the angle threshold of the
 /// model's are the model's; faces within the distance threshold of a parallel face of the model lie
 /// in it. Cheapest first.
+/// \paper{5.2.1}
 std::vector<Placement> placementsOf(const JointGraph& joint, const JointReading& reading,
                                     const GraphMatch& match, const ModelView& model,
                                     const PlacementOptions& options);
@@ -58,6 +60,7 @@ std::vector<Placement> placementsOn(const Seat& seat, const JointGraph& joint,
 /// The placement with one of its hidden faces moved into the plane of a parallel face of the solid,
 /// so that the body becomes smaller; the ink that speaks against it is overruled. Nothing where no
 /// hidden face is parallel.
+/// \paper{5.2.3}
 std::optional<Placement> adjustedPlacement(const JointGraph& joint, const JointReading& reading,
                                            const GraphMatch& match, const ModelView& model,
                                            const PlacementOptions& options,

@@ -18,6 +18,7 @@ struct WholeReading {
 
 /// Reads a drawing in free space as one solid: prisms, pyramids and frusta over any polygon. Each
 /// proposal is solved, made a solid, and its picture compared with the ink.
+/// \paper{8}
 WholeReading readWholeDrawing(const InkReading& ink, const TemplateLibrary& library,
                               const InterpretOptions& options);
 

@@ -50,8 +50,10 @@ struct ReadingContext {
 };
 
 /// All readings of one match: for a rectilinear template the closed form, else snapped and oblique;
-/// for any other the general solver's most regular solid. Empty where no solid fits. \param
-/// impossibleCorner  receives the drawn corner that breaks Perkins' law where that was the reason.
+/// for any other the general solver's most regular solid. Empty where no solid fits.
+/// \param impossibleCorner  receives the drawn corner that breaks Perkins' law where that was the
+///     reason.
+/// \paper{5.1}
 std::vector<RatedCandidate> readingsOf(const EdgeGraph& graph, const GraphMatch& match,
                                        const ReadingContext& context,
                                        std::optional<Vec2>& impossibleCorner);

@@ -88,9 +88,10 @@ std::optional<GeneralSolution> solveAnchored(const Template& tmpl, const Templat
 /// planarity of the faces are equality constraints (null-space method, rank-revealing, so redundant
 /// relations do no harm); the line ends of the drawing are the least-squares objective; the
 /// difference of the faces' angles to the reference shape is a weak second objective that closes
-/// what is left open with the most regular shape. \param start  vertices to start from, e.g. from
-/// startPoints or another solution. \return nothing where it does not converge or the visible faces
-/// do not come out visible.
+/// what is left open with the most regular shape.
+/// \param start  vertices to start from, e.g. from startPoints or another solution.
+/// \return nothing where it does not converge or the visible faces do not come out visible.
+/// \paper{5.1}
 std::optional<GeneralSolution> solveGeneral(const Template& tmpl, const TemplateAnalysis& analysis,
                                             const Sighting& sighting,
                                             const SolverRelations& relations,

@@ -33,6 +33,7 @@ struct DirectionOptions {
 /// edge of the model takes its direction; others those near on the screen that lie in the faces in
 /// which the class has edges; or none.
 /// \param limit  at most so many.
+/// \paper{5.2.2}
 std::vector<DirectionAssignment> directionAssignments(
     const JointReading& reading, const GraphMatch& match, const ModelView& model,
     const FacePairs& pairs, const DirectionOptions& options, std::size_t limit);

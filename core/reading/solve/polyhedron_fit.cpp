@@ -213,7 +213,8 @@ class Residuals {
     std::vector<Eigen::Matrix2d> roots_;
 };
 
-/// One step: the linear problem, damped until it helps. \return false where nothing helps any more.
+/// One step: the linear problem, damped until it helps.
+/// \return false where nothing helps any more.
 bool improve(PlaneModel& model, Eigen::VectorXd& r, double& damping, const Residuals& residuals) {
     const Parameters parameters(model);
     const Eigen::Index n = parameters.count();

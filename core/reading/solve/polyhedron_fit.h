@@ -80,14 +80,15 @@ struct RegularOptions {
 
 /// The planes of a polyhedron whose vertices are known roughly: normals near an axis of the frame
 /// are that axis, those nearly perpendicular to one are exactly so (and alike or mirrored where
-/// they nearly are), parallel ones are parallel. \param rough  camera space [px]; faces
-/// counter-clockwise from outside. \param frame  body to camera, a rotation.
+/// they nearly are), parallel ones are parallel.
+/// \param rough  camera space [px]; faces counter-clockwise from outside.
+/// \param frame  body to camera, a rotation.
 PlaneModel regularModel(const PolyhedronSpec& rough, const Mat3& frame,
                         const RegularOptions& options);
 
 /// Makes faces the sides of a regular prism, frustum or pyramid: equal turns about the third axis
-/// of the body, equal slopes, equal distances from its center. \param sides  faces in the order in
-/// which they go round, counter-clockwise about that axis.
+/// of the body, equal slopes, equal distances from its center.
+/// \param sides  faces in the order in which they go round, counter-clockwise about that axis.
 void makeRegularRing(PlaneModel& model, const std::vector<int>& sides);
 
 }  // namespace ew

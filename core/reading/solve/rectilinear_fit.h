@@ -24,14 +24,15 @@ struct AffinePicture {
 };
 
 /// Fits the whole drawing first: least squares over all drawn line ends at once, each precise
-/// across its line and loose along it. \return nothing where the drawing does not determine the
-/// three axes.
+/// across its line and loose along it.
+/// \return nothing where the drawing does not determine the three axes.
 std::optional<AffinePicture> fitAffine(const Sighting& sighting, const TemplateAnalysis& analysis);
 
 /// Depths of three mutually perpendicular axes from their picture, the paper's equations (1) to
 /// (13) in camera space: with D_jk = q_j . q_k, |t_i| = sqrt(-D12 D23 D31) / |D_jk| and t_i t_j =
-/// -D_ij. The other Necker root is the negative of all three. \return nothing where there is no
-/// real root (Perkins' law is broken).
+/// -D_ij. The other Necker root is the negative of all three.
+/// \return nothing where there is no real root (Perkins' law is broken).
+/// \paper{5.1}
 std::optional<std::array<double, 3>> cornerDepths(const std::array<Vec2, 3>& axes);
 
 /// Which of the three angles is nearest to 90 degrees, and how far from it the drawing may say it

@@ -158,7 +158,8 @@ bool openExample(const char* name) {
 /// The radius of all edges of the printer is dragged: fillet, surface and a whole frame a step, one
 /// after the other although the window derives the next one while it draws the last. Limit: 30
 /// steps a second in software OpenGL. all_threads_ms is the time of all processors, which other
-/// programs disturb less. \param levels  of the surface, 0: the filleted cage alone.
+/// programs disturb less.
+/// \param levels  of the surface, 0: the filleted cage alone.
 void radiusDrag(benchmark::State& state) {
     if (!openExample("printer.json")) {
         state.SkipWithError("the example does not replay");
