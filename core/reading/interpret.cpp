@@ -2,6 +2,7 @@
 #include "core/reading/interpret.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/edge_graph/build.h"
 #include "core/reading/propose/free_drawing.h"
@@ -10,7 +11,6 @@
 #include "core/tlib/library_index.h"
 
 namespace ew {
-
 namespace {
 
 /// Most lines that any view of a template has.
@@ -47,16 +47,18 @@ Interpretation wholeOf(WholeReading whole) {
 Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& library,
                                const InterpretOptions& options) {
     const bool any = options.templateId.empty();
-    const bool wholeFirst = any && ink.segments.size() > mostLines(library);
-    if (wholeFirst) {
-        WholeReading whole = readWholeDrawing(ink, library, options);
-        const bool more = whole.graph.edges.size() > mostLines(library);
-        if (whole.clear && more && !whole.isKnown) return wholeOf(std::move(whole));
+    const std::size_t most = mostLines(library);
+    std::optional<WholeReading> whole;
+    if (any && ink.segments.size() > most) {
+        whole = readWholeDrawing(ink, library, options);
+        if (whole->clear && whole->graph.edges.size() > most && !whole->isKnown) {
+            return wholeOf(*std::move(whole));
+        }
     }
     Interpretation out = readFreeDrawing(ink, library, options);
     if (!any || !foundNothing(out)) return out;
-    WholeReading whole = readWholeDrawing(ink, library, options);
-    return whole.clear ? wholeOf(std::move(whole)) : out;
+    if (!whole) whole = readWholeDrawing(ink, library, options);
+    return whole->clear ? wholeOf(*std::move(whole)) : out;
 }
 
 }  // namespace

@@ -17,12 +17,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class ChordFlips {
   public:
-    explicit ChordFlips(SurfaceMesh& surface) : surface_(surface) {
-        double farthest = 0.0;
-        for (const Vec3& p : surface.positions)
-            farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-        leastHeight_ = leastHeight(farthest);
-    }
+    explicit ChordFlips(SurfaceMesh& surface)
+        : surface_(surface), leastHeight_(leastHeight(farthestCoordinate(surface.positions))) {}
 
     /// \return whether anything was flipped.
     bool pass() {
@@ -161,7 +157,7 @@ class ChordFlips {
     }
 
     SurfaceMesh& surface_;
-    double leastHeight_ = 0.0;  ///< of a triangle [mm]
+    double leastHeight_;  ///< of a triangle [mm]
     bool isFirst_ = true;
     std::vector<Flip> flips_;
     std::unordered_map<std::uint64_t, int> beyond_;  ///< by side: the triangle that has it

@@ -15,10 +15,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class SliverCollapse {
   public:
     explicit SliverCollapse(SurfaceMesh& surface) : surface_(surface) {
-        double farthest = 0.0;
-        for (const Vec3& p : surface.positions) {
-            farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-        }
+        const double farthest = farthestCoordinate(surface.positions);
         leastHeight_ = leastHeight(farthest);
         tinySide_ = kTinySide * farthest;
     }

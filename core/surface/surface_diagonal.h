@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/base/tolerance.h"
 #include "core/base/vec.h"
@@ -16,6 +17,13 @@ inline bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c, double least) {
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     const double area = (b - a).cross(c - a).norm();
     return area > tol::kNoAreaRatio * longest && area > least * std::sqrt(longest);
+}
+
+/// The largest coordinate of points, without its sign [mm].
+inline double farthestCoordinate(const std::vector<Vec3>& points) {
+    double farthest = 0.0;
+    for (const Vec3& p : points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    return farthest;
 }
 
 /// Heights below this are lost in single precision, in which surfaces are exported [mm].

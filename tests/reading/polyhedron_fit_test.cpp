@@ -38,7 +38,7 @@ std::vector<DrawnVertex> drawn(const PolyhedronSpec& spec, double noise, Random&
     for (std::size_t v = 0; v < spec.vertices.size(); ++v) {
         out.push_back({static_cast<int>(v),
                        spec.vertices[v].head<2>() + noise * Vec2(random.normal(), random.normal()),
-                       4.0 * Eigen::Matrix2d::Identity()});
+                       2.0});
     }
     return out;
 }
@@ -48,8 +48,7 @@ const std::vector<Vec2> kHouse{{0, 0}, {200, 0}, {200, 120}, {100, 190}, {0, 120
 TEST(PolyhedronFit, AnExactDrawingComesBack) {
     Random random(1);
     const PolyhedronSpec house = seen(prismSpec(kHouse, 150));
-    const auto fit =
-        fitPlanes(regularModel(house, attitude(), {1.0, 0.0}), drawn(house, 0, random), {});
+    const auto fit = fitPlanes(regularModel(house, attitude(), 1.0), drawn(house, 0, random), {});
     ASSERT_TRUE(fit);
     EXPECT_LT(fit->misfit, 1e-12);
     EXPECT_LT(fit->gapPx, 1e-9);
@@ -64,8 +63,7 @@ TEST(PolyhedronFit, WhatIsNearlyRegularIsExactlySo) {
     PolyhedronSpec rough = house;
     for (Vec3& v : rough.vertices)
         v += 3.0 * Vec3(random.normal(), random.normal(), random.normal());
-    const auto fit =
-        fitPlanes(regularModel(rough, attitude(), {8.0, 0.0}), drawn(house, 2.0, random), {});
+    const auto fit = fitPlanes(regularModel(rough, attitude(), 8.0), drawn(house, 2.0, random), {});
     ASSERT_TRUE(fit);
     // Walls and floor are across axes, to the bit; both slopes lean alike.
     EXPECT_EQ(fit->body[0].y(), fit->body[1].y());
@@ -83,7 +81,7 @@ TEST(PolyhedronFit, ARegularRingHasEqualSidesAndTurns) {
         PolyhedronSpec spec = prismSpec(regularPolygon(6, 120), 160);
         for (std::size_t v = 6; v < 12; ++v) spec.vertices[v].head<2>() *= top;
         const PolyhedronSpec inCamera = seen(spec);
-        PlaneModel model = regularModel(inCamera, attitude(), {8.0, 0.0});
+        PlaneModel model = regularModel(inCamera, attitude(), 8.0);
         makeRegularRing(model, {2, 3, 4, 5, 6, 7});
         const auto fit = fitPlanes(model, drawn(inCamera, 2.0, random), {});
         ASSERT_TRUE(fit);
@@ -99,7 +97,7 @@ TEST(PolyhedronFit, ARegularRingHasEqualSidesAndTurns) {
 TEST(PolyhedronFit, CountsItsFreedoms) {
     const PolyhedronSpec box = seen(ew::test::boxSpec(100, 80, 60));
     // Three sizes, three of attitude, two of place.
-    EXPECT_EQ(regularModel(box, attitude(), {1.0, 0.0}).freedoms(), 8);
+    EXPECT_EQ(regularModel(box, attitude(), 1.0).freedoms(), 8);
 }
 
 TEST(BaseTilt, RightAnglesAndRegularPolygonsTellIt) {

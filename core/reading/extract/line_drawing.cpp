@@ -3,16 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/reading/extract/plane_geometry.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double turnDeg(const Vec2& a, const Vec2& b) {
-    return std::abs(std::atan2(cross2(a, b), a.dot(b))) * 180.0 / std::numbers::pi;
-}
 
 /// The stem of a T junction: the one line of three that is not part of a straight pair. Of several
 /// pairs that may be one the straightest counts.
@@ -21,8 +18,8 @@ int stemOf(const LineDrawing& drawing, const LineDrawing::Node& node) {
     int stem = -1;
     double least = drawing.straightDeg;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double turn =
-            turnDeg(-drawing.vector(node.out[(k + 1) % 3]), drawing.vector(node.out[(k + 2) % 3]));
+        const double turn = angleBetweenDeg(-drawing.vector(node.out[(k + 1) % 3]),
+                                            drawing.vector(node.out[(k + 2) % 3]));
         if (turn >= least) continue;
         least = turn;
         stem = node.out[k];
@@ -52,7 +49,7 @@ void addRegion(LineDrawing& drawing, const PlaneFace& face) {
 }  // namespace
 
 bool LineDrawing::straightThrough(int in, int out) const {
-    return turnDeg(vector(in), vector(out)) < straightDeg;
+    return angleBetweenDeg(vector(in), vector(out)) < straightDeg;
 }
 
 LineDrawing lineDrawing(const EdgeGraph& graph, double straightDeg) {

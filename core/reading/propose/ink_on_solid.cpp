@@ -2,12 +2,11 @@
 #include "core/reading/propose/ink_on_solid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/base/tolerance.h"
+#include "core/reading/evidence/stroke_shares.h"
 
 namespace ew {
 namespace {
@@ -109,18 +108,12 @@ double unexplainedInk(const InkReading& ink, const Placement& p, const GraphMatc
 std::vector<int> strokesBeside(const InkReading& ink, const Placement& p, const GraphMatch& m,
                                const ModelView& view, double distancePx) {
     const InkOnSolid picture(ink, p, m, view, distancePx, distancePx);
-    std::map<int, std::array<double, 2>> lengths;  // stroke: far from edges, in all
+    std::map<int, StrokeShare> shares;
     for (const Segment& s : ink.segments) {
-        auto& [far, all] = lengths[s.stroke];
-        far += picture.farPx(s);
-        all += s.inkPx;
+        shares[s.stroke].beside += picture.farPx(s);
+        shares[s.stroke].all += s.inkPx;
     }
-    std::set<int> beside;
-    for (const auto& [stroke, length] : lengths) {
-        if (length[0] > 0.5 * length[1]) beside.insert(stroke);
-    }
-    for (const NoiseItem& n : ink.noise) beside.insert(n.stroke);
-    return {beside.begin(), beside.end()};
+    return strokesLeftOut(shares, ink.noise);
 }
 
 double shareOver(const InkReading& ink, const ModelView& view) {

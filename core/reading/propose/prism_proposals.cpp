@@ -6,16 +6,13 @@
 #include <numbers>
 #include <optional>
 
+#include "core/reading/extract/plane_geometry.h"
 #include "core/reading/solve/base_tilt.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double angleDeg(const Vec2& a, const Vec2& b) {
-    return std::abs(std::atan2(cross2(a, b), a.dot(b))) * 180.0 / std::numbers::pi;
-}
 
 /// A line that leaves a corner of the base.
 struct Side {
@@ -49,14 +46,7 @@ bool leavesPolygon(const std::vector<Vec2>& polygon, std::size_t k, const Vec2& 
     const Vec2 p = polygon[k] + 0.02 * direction.normalized() *
                                     std::min((polygon[(k + 1) % n] - polygon[k]).norm(),
                                              (polygon[(k + n - 1) % n] - polygon[k]).norm());
-    bool inside = false;
-    for (std::size_t i = 0, j = n - 1; i < n; j = i++) {
-        const Vec2& a = polygon[i];
-        const Vec2& b = polygon[j];
-        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-        if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-    }
-    return !inside;
+    return !insidePolygon(polygon, p);
 }
 
 class Bases {
@@ -211,7 +201,7 @@ class Bases {
             for (const Side& s : sides) {
                 const double excuse =
                     std::atan2(2.0 * spread_, s.vector.norm()) * 180.0 / std::numbers::pi;
-                if (angleDeg(seed.vector, s.vector) > kParallelDeg + 0.5 * excuse) continue;
+                if (angleBetweenDeg(seed.vector, s.vector) > kParallelDeg + 0.5 * excuse) continue;
                 group.push_back(s);
                 px += s.vector.norm();
             }
@@ -336,11 +326,7 @@ class Bases {
             most = score;
             best = u;
         }
-        const Vec3 z = -axis;
-        const Vec3 x = (best - best.dot(z) * z).normalized();
-        h.frame.col(0) = x;
-        h.frame.col(1) = z.cross(x);
-        h.frame.col(2) = z;
+        h.frame = frameAlong(-axis, best);
     }
 
     const LineDrawing& drawing_;

@@ -159,7 +159,7 @@ class Pyramids {
         h.node.resize(at(n), -1);
         h.node.push_back(chain.apex);
         addFaces(h, axis);
-        addFrame(h, axis);
+        h.frame = frameAlong(axis, h.rough.vertices[1] - h.rough.vertices[0]);
         out_.push_back(std::move(h));
     }
 
@@ -180,14 +180,6 @@ class Pyramids {
             h.rough.faces.push_back({b, a, n});
             h.ring.push_back(static_cast<int>(h.rough.faces.size()) - 1);
         }
-    }
-
-    static void addFrame(ShapeHypothesis& h, const Vec3& axis) {
-        const Vec3 edge = h.rough.vertices[1] - h.rough.vertices[0];
-        const Vec3 x = (edge - edge.dot(axis) * axis).normalized();
-        h.frame.col(0) = x;
-        h.frame.col(1) = axis.cross(x);
-        h.frame.col(2) = axis;
     }
 
     const LineDrawing& drawing_;

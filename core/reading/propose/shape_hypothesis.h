@@ -22,4 +22,14 @@ struct ShapeHypothesis {
                             ///< polygon's sides
 };
 
+/// A body's frame with its third axis along `axis` (unit) and its first as near as can be to
+/// `edge`.
+inline Mat3 frameAlong(const Vec3& axis, const Vec3& edge) {
+    Mat3 frame;
+    frame.col(2) = axis;
+    frame.col(0) = (edge - edge.dot(axis) * axis).normalized();
+    frame.col(1) = axis.cross(frame.col(0));
+    return frame;
+}
+
 }  // namespace ew

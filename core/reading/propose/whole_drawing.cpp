@@ -78,6 +78,8 @@ class WholeReader {
     static constexpr std::size_t kManyLines = 16;
     static constexpr int kMostTried = 60;  ///< proposals of all graphs
     static constexpr double kLeastSnapDeg = 0.5;
+    /// What fits no better than this, in variances, is not worth the work.
+    static constexpr double kHopeless = 10.0;
 
     /// What lines that stray from their edges cost: each correlation length of ink is a sample.
     double bends(const EdgeGraph& graph) const {
@@ -100,30 +102,47 @@ class WholeReader {
         for (ShapeHypothesis& h : pyramidProposals(drawing, spread_)) {
             proposals.push_back(std::move(h));
         }
-        fitSpread_ = exactSpread(proposals, drawing).value_or(spread_);
+        std::vector<Rough> rough;
         for (const ShapeHypothesis& h : proposals) {
-            if (tried_++ >= kMostTried) break;
-            if (auto s = solve(h, drawing)) found.push_back(std::move(*s));
+            // An exact drawing is told by any proposal, also by one that is too many to be tried.
+            const bool wanted = noise_ <= params::kExactPx || tried_ < kMostTried;
+            rough.push_back(wanted ? roughFit(h, drawing) : Rough{});
+            rough.back().tried = tried_++ < kMostTried;
+        }
+        fitSpread_ = exactSpread(rough).value_or(spread_);
+        for (std::size_t i = 0; i < proposals.size(); ++i) {
+            if (!rough[i].tried || !rough[i].fit || rough[i].fit->misfit > kHopeless) continue;
+            if (auto s = solve(proposals[i], drawing)) found.push_back(std::move(*s));
         }
         return found;
     }
 
+    /// A proposal's least regular model, after a few steps.
+    struct Rough {
+        std::optional<PlaneFit> fit;
+        int redundancy = 0;  ///< numbers drawn beyond those that it takes
+        bool tried = false;
+    };
+
+    Rough roughFit(const ShapeHypothesis& h, const LineDrawing& drawing) const {
+        constexpr int kFewSteps = 8;
+        PlaneModel model = regularModel(h.rough, h.frame, kLeastSnapDeg);
+        const auto vertices = seen(h, drawing, spread_);
+        Rough out;
+        out.redundancy = 2 * static_cast<int>(vertices.size()) - model.freedoms();
+        out.fit = fitPlanes(std::move(model), vertices, stretches(h, spread_), kFewSteps);
+        return out;
+    }
+
     /// Where something fits far better than hands do although much could contradict it, the drawing
     /// is exact, and says what is regular and what is not.
-    std::optional<double> exactSpread(const std::vector<ShapeHypothesis>& proposals,
-                                      const LineDrawing& drawing) const {
+    std::optional<double> exactSpread(const std::vector<Rough>& rough) const {
         if (noise_ > params::kExactPx) return std::nullopt;
         constexpr int kRedundant = 4;
         std::optional<double> least;
-        for (const ShapeHypothesis& h : proposals) {
-            PlaneModel model = regularModel(h.rough, h.frame, {kLeastSnapDeg, 0.0});
-            const auto vertices = seen(h, drawing, spread_);
-            const int drawn = 2 * static_cast<int>(vertices.size());
-            if (drawn < model.freedoms() + kRedundant) continue;
-            constexpr int kFewSteps = 8;
-            const auto f = fitPlanes(std::move(model), vertices, stretches(h, spread_), kFewSteps);
-            if (!f) continue;
-            const double rms = std::sqrt(f->misfit) * spread_;
+        for (const Rough& r : rough) {
+            if (!r.fit || r.redundancy < kRedundant) continue;
+            const double rms = std::sqrt(r.fit->misfit) * spread_;
             if (rms < params::kExactPx && rms < least.value_or(1.0)) least = rms;
         }
         if (!least) return std::nullopt;
@@ -136,7 +155,7 @@ class WholeReader {
         const auto vertices = seen(h, drawing, fitSpread_);
         const auto lines = stretches(h, fitSpread_);
         for (const double angle : {kLeastSnapDeg, 3.0, 8.0, 15.0}) {
-            std::vector<PlaneModel> models{regularModel(h.rough, h.frame, {angle, 0.0})};
+            std::vector<PlaneModel> models{regularModel(h.rough, h.frame, angle)};
             if (!h.ring.empty()) {
                 models.push_back(models.front());
                 makeRegularRing(models.back(), h.ring);
@@ -145,7 +164,8 @@ class WholeReader {
                 const int freedoms = model.freedoms();
                 auto f = fitPlanes(std::move(model), vertices, lines);
                 if (!f) continue;
-                f->cost += params::kFreedomCost * freedoms + params::kSlantCost * slants(f->model);
+                f->cost +=
+                    params::kFreedomCost * freedoms + params::kSlantedFacesCost * slants(f->model);
                 if (!best || f->cost < best->cost) best = std::move(f);
             }
         }
@@ -165,8 +185,7 @@ class WholeReader {
         std::vector<DrawnVertex> out;
         for (std::size_t v = 0; v < h.node.size(); ++v) {
             if (h.node[v] < 0) continue;
-            out.push_back({static_cast<int>(v), drawing.nodes[at(h.node[v])].at,
-                           spread * spread * Eigen::Matrix2d::Identity()});
+            out.push_back({static_cast<int>(v), drawing.nodes[at(h.node[v])].at, spread});
         }
         return out;
     }
@@ -178,12 +197,6 @@ class WholeReader {
     }
 
     std::optional<Solved> solve(const ShapeHypothesis& h, const LineDrawing& drawing) const {
-        // What fits nowhere near is not worth the work.
-        constexpr double kHopeless = 10.0;
-        constexpr int kFewSteps = 8;
-        const auto rough = fitPlanes(regularModel(h.rough, h.frame, {kLeastSnapDeg, 0.0}),
-                                     seen(h, drawing, spread_), stretches(h, spread_), kFewSteps);
-        if (!rough || rough->misfit > kHopeless) return std::nullopt;
         const auto f = fit(h, drawing);
         if (!f) return std::nullopt;
         Candidate c;

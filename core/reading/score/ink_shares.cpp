@@ -5,6 +5,9 @@
 #include <map>
 #include <set>
 
+#include "core/reading/evidence/stroke_shares.h"
+#include "core/reading/extract/plane_geometry.h"
+
 namespace ew {
 namespace {
 
@@ -39,7 +42,7 @@ class Picture {
         if (along(shown_, p)) return Place::Edge;
         if (along(hidden_, p)) return Place::Hidden;
         const bool inside = std::any_of(faces_.begin(), faces_.end(),
-                                        [&](const auto& face) { return holds(face, p); });
+                                        [&](const auto& face) { return insidePolygon(face, p); });
         return inside ? Place::Face : Place::Nowhere;
     }
 
@@ -60,19 +63,6 @@ class Picture {
         });
     }
 
-    static bool holds(const std::vector<Vec2>& face, const Vec2& p) {
-        bool inside = false;
-        for (std::size_t i = 0, j = face.size() - 1; i < face.size(); j = i++) {
-            const Vec2& a = face[i];
-            const Vec2& b = face[j];
-            if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-            if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-                inside = !inside;
-            }
-        }
-        return inside;
-    }
-
     double nearPx_;
     double pastPx_;
     std::vector<Line> shown_;
@@ -80,60 +70,59 @@ class Picture {
     std::vector<std::vector<Vec2>> faces_;
 };
 
-}  // namespace
+/// What the ink of a drawing is, as a whole and by stroke.
+struct Shares {
+    InkShares drawing;
+    std::map<int, StrokeShare> strokes;
+};
 
-InkShares shareInk(const InkReading& ink, const RatedCandidate& candidate, double nearPx,
-                   double pastPx) {
-    const Picture picture(candidate, nearPx, pastPx);
-    InkShares shares;
+Shares sharesOf(const InkReading& ink, const Picture& picture) {
+    Shares out;
+    std::map<int, double> hidden;  // by stroke
     for (const Segment& s : ink.segments) {
         const double each = s.inkPx / static_cast<double>(s.points.size());
+        StrokeShare& stroke = out.strokes[s.stroke];
         for (const Vec2& p : s.points) {
+            stroke.all += each;
             switch (picture.of(p)) {
                 case Place::Edge:
-                    shares.edges += each;
+                    out.drawing.edges += each;
                     break;
                 case Place::Hidden:
-                    shares.hidden += each;
+                    out.drawing.hidden += each;
+                    hidden[s.stroke] += each;
                     break;
                 case Place::Face:
-                    shares.detail += each;
+                    out.drawing.detail += each;
+                    stroke.beside += each;
                     break;
                 case Place::Nowhere:
-                    shares.stray += each;
+                    out.drawing.stray += each;
+                    stroke.beside += each;
                     break;
             }
         }
     }
     // Who draws hidden lines draws them all.
-    if (shares.hidden < kDrawnShare * picture.hiddenPx()) {
-        shares.detail += shares.hidden;
-        shares.hidden = 0.0;
+    if (out.drawing.hidden < kDrawnShare * picture.hiddenPx()) {
+        out.drawing.detail += out.drawing.hidden;
+        out.drawing.hidden = 0.0;
+        for (const auto& [stroke, length] : hidden) out.strokes[stroke].beside += length;
     }
-    return shares;
+    return out;
+}
+
+}  // namespace
+
+InkShares shareInk(const InkReading& ink, const RatedCandidate& candidate, double nearPx,
+                   double pastPx) {
+    return sharesOf(ink, Picture(candidate, nearPx, pastPx)).drawing;
 }
 
 std::vector<int> strokesBeside(const InkReading& ink, const RatedCandidate& candidate,
                                double nearPx, double pastPx) {
     const Picture picture(candidate, nearPx, pastPx);
-    const bool hiddenDrawn = shareInk(ink, candidate, nearPx, pastPx).hidden > 0.0;
-    std::map<int, std::array<double, 2>> lengths;  // stroke: along edges, in all
-    for (const Segment& s : ink.segments) {
-        const double each = s.inkPx / static_cast<double>(s.points.size());
-        for (const Vec2& p : s.points) {
-            const Place place = picture.of(p);
-            auto& [along, all] = lengths[s.stroke];
-            all += each;
-            const bool drawn = place == Place::Edge || (place == Place::Hidden && hiddenDrawn);
-            if (drawn) along += each;
-        }
-    }
-    std::set<int> beside;
-    for (const auto& [stroke, length] : lengths) {
-        if (length[0] < 0.5 * length[1]) beside.insert(stroke);
-    }
-    for (const NoiseItem& n : ink.noise) beside.insert(n.stroke);
-    return {beside.begin(), beside.end()};
+    return strokesLeftOut(sharesOf(ink, picture).strokes, ink.noise);
 }
 
 }  // namespace ew

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <vector>
 
+#include "core/reading/evidence/stroke_shares.h"
 #include "core/solid/visibility.h"
 
 namespace ew {
@@ -84,37 +84,26 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     const LineGrid visible(seen, nearPx);
     const LineGrid any(all, nearPx);
     std::vector<Line> drawn;
-    std::map<int, std::array<double, 2>> lengths;  // stroke: along edges, in all
+    std::map<int, StrokeShare> strokes;
     for (const Segment& s : ink.segments) {
         const double each =
             s.inkPx / static_cast<double>(std::max<std::size_t>(1, s.points.size()));
         for (const Vec2& p : s.points) {
-            auto& [along, length] = lengths[s.stroke];
-            length += each;
-            if (visible.isNear(p)) {
-                along += each;
-            } else if (any.isNear(p)) {
-                along += each;
-                out.hiddenPx += each;
-            } else {
-                out.strayPx += each;
-            }
+            StrokeShare& stroke = strokes[s.stroke];
+            stroke.all += each;
+            if (visible.isNear(p) || any.isNear(p)) continue;
+            stroke.beside += each;
+            out.strayPx += each;
         }
         for (std::size_t k = 1; k < s.points.size(); ++k) {
             drawn.push_back({s.points[k - 1], s.points[k]});
         }
     }
-    std::set<int> beside;
-    for (const auto& [stroke, length] : lengths) {
-        if (length[0] < 0.5 * length[1]) beside.insert(stroke);
-    }
-    for (const NoiseItem& n : ink.noise) beside.insert(n.stroke);
-    out.beside.assign(beside.begin(), beside.end());
+    out.beside = strokesLeftOut(strokes, ink.noise);
     const LineGrid inked(drawn, nearPx);
     constexpr double kStepPx = 4.0;
     for (const Line& line : seen) {
         const double length = (line[1] - line[0]).norm();
-        out.picturePx += length;
         const int steps = 1 + static_cast<int>(length / kStepPx);
         for (int k = 0; k < steps; ++k) {
             const Vec2 p = line[0] + (line[1] - line[0]) * (k + 0.5) / steps;

@@ -13,8 +13,6 @@ namespace ew {
 struct PictureEvidence {
     double inkPx = 0.0;       ///< all ink that is lines
     double strayPx = 0.0;     ///< ink along no edge that is seen, and along none that is hidden
-    double hiddenPx = 0.0;    ///< ink along hidden edges alone
-    double picturePx = 0.0;   ///< visible edges
     double barePx = 0.0;      ///< visible edges without ink
     std::vector<int> beside;  ///< strokes of which less than half runs along an edge, and those
                               ///< that are no lines; ascending

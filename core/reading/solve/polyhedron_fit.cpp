@@ -147,7 +147,7 @@ Shape shapeOf(const PlaneModel& m) {
     std::vector<double> offsets;
     for (const PlaneModel::Face& f : m.faces) {
         normals.push_back(normalOf(m, m.normals[at(f.normal)]));
-        offsets.push_back(f.side * m.offsets[at(f.offset)]);
+        offsets.push_back(m.offsets[at(f.offset)]);
     }
     for (const std::vector<int>& faces : m.vertexFaces) {
         const auto p = meet(normals, offsets, faces);
@@ -168,12 +168,7 @@ Shape shapeOf(const PlaneModel& m) {
 class Residuals {
   public:
     Residuals(const std::vector<DrawnVertex>& vertices, const std::vector<DrawnStretch>& stretches)
-        : vertices_(vertices), stretches_(stretches) {
-        for (const DrawnVertex& v : vertices) {
-            // The inverse of the spread as a product of a matrix with its transpose.
-            roots_.emplace_back(v.spread.inverse().llt().matrixU());
-        }
-    }
+        : vertices_(vertices), stretches_(stretches) {}
 
     /// Drawn numbers first, then how far vertices are from their planes.
     std::optional<Eigen::VectorXd> of(const PlaneModel& m) const {
@@ -181,8 +176,8 @@ class Residuals {
         if (!shape.ok) return std::nullopt;
         std::vector<double> r;
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            const Vec2 off =
-                roots_[i] * (shape.camera[at(vertices_[i].vertex)].head<2>() - vertices_[i].at);
+            const Vec2 off = (shape.camera[at(vertices_[i].vertex)].head<2>() - vertices_[i].at) /
+                             vertices_[i].spreadPx;
             r.push_back(off.x());
             r.push_back(off.y());
         }
@@ -196,7 +191,7 @@ class Residuals {
             for (const int f : m.vertexFaces[v]) {
                 const PlaneModel::Face& face = m.faces[at(f)];
                 r.push_back(kPlanar * (normalOf(m, m.normals[at(face.normal)]).dot(shape.body[v]) -
-                                       face.side * m.offsets[at(face.offset)]));
+                                       m.offsets[at(face.offset)]));
             }
         }
         return Eigen::Map<Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size()));
@@ -210,7 +205,6 @@ class Residuals {
     static constexpr double kPlanar = 1e3;  ///< planes hold; drawn places do what they can
     const std::vector<DrawnVertex>& vertices_;
     const std::vector<DrawnStretch>& stretches_;
-    std::vector<Eigen::Matrix2d> roots_;
 };
 
 /// One step: the linear problem, damped until it helps.
@@ -282,8 +276,10 @@ void dropUnused(PlaneModel& model) {
 /// Finds the normals and offsets of a rough polyhedron's faces.
 class Regular {
   public:
-    Regular(const PolyhedronSpec& rough, const Mat3& frame, const RegularOptions& options)
-        : rough_(rough), options_(options) {
+    Regular(const PolyhedronSpec& rough, const Mat3& frame, double angleDeg)
+        : rough_(rough),
+          cosine_(std::cos(angleDeg * std::numbers::pi / 180.0)),
+          sine_(std::sin(angleDeg * std::numbers::pi / 180.0)) {
         out_.bodyToCamera = frame;
         for (const Vec3& v : rough.vertices) {
             out_.center += v / static_cast<double>(rough.vertices.size());
@@ -302,9 +298,6 @@ class Regular {
     }
 
   private:
-    double cosine() const { return std::cos(options_.angleDeg * std::numbers::pi / 180.0); }
-    double sine() const { return std::sin(options_.angleDeg * std::numbers::pi / 180.0); }
-
     void addFace(const std::vector<int>& loop) {
         Vec3 area = Vec3::Zero();
         Vec3 middle = Vec3::Zero();
@@ -318,26 +311,15 @@ class Regular {
         PlaneModel::Face face;
         face.normal = normalFor(n, face.sense);
         const Vec3 exact = normalOf(out_, out_.normals[at(face.normal)]);
-        const double offset = exact.dot(out_.bodyToCamera.transpose() * (middle - out_.center));
-        face.offset = offsetFor(face.normal, offset);
+        face.offset = static_cast<int>(out_.offsets.size());
+        out_.offsets.push_back(exact.dot(out_.bodyToCamera.transpose() * (middle - out_.center)));
         out_.faces.push_back(face);
-    }
-
-    int offsetFor(int normal, double offset) {
-        for (const PlaneModel::Face& f : out_.faces) {
-            if (f.normal == normal &&
-                std::abs(out_.offsets[at(f.offset)] - offset) < options_.offsetPx) {
-                return f.offset;
-            }
-        }
-        out_.offsets.push_back(offset);
-        return static_cast<int>(out_.offsets.size()) - 1;
     }
 
     int normalFor(const Vec3& n, double& sense) {
         for (std::size_t i = 0; i < out_.normals.size(); ++i) {
             const double c = normalOf(out_, out_.normals[i]).dot(n);
-            if (std::abs(c) < cosine()) continue;
+            if (std::abs(c) < cosine_) continue;
             sense = c > 0 ? 1.0 : -1.0;
             return static_cast<int>(i);
         }
@@ -345,7 +327,7 @@ class Regular {
         normal.first = n;
         normal.kind = PlaneModel::Normal::Kind::Free;
         for (int k = 0; k < 3; ++k) {
-            if (std::abs(n[k]) < cosine()) continue;
+            if (std::abs(n[k]) < cosine_) continue;
             normal.kind = PlaneModel::Normal::Kind::Fixed;
             normal.first = Vec3::Unit(k);
             sense = n[k] > 0 ? 1.0 : -1.0;
@@ -362,7 +344,7 @@ class Regular {
         for (int k = 1; k < 3; ++k) {
             if (std::abs(n[k]) < std::abs(n[axis])) axis = k;
         }
-        if (std::abs(n[axis]) > sine()) return;
+        if (std::abs(n[axis]) > sine_) return;
         normal.kind = PlaneModel::Normal::Kind::Turn;
         const Vec3 u = Vec3::Unit((axis + 1) % 3);
         const Vec3 w = Vec3::Unit((axis + 2) % 3);
@@ -373,7 +355,7 @@ class Regular {
             for (const double su : {1.0, -1.0}) {
                 for (const double sw : {1.0, -1.0}) {
                     const Vec3 mirrored = std::cos(a) * su * u + std::sin(a) * sw * w;
-                    if (mirrored.dot(n) < cosine()) continue;
+                    if (mirrored.dot(n) < cosine_) continue;
                     normal.first = su * u;
                     normal.second = sw * w;
                     normal.angle = other.angle;
@@ -388,7 +370,8 @@ class Regular {
     }
 
     const PolyhedronSpec& rough_;
-    const RegularOptions& options_;
+    double cosine_;  ///< of the angle within which directions are one
+    double sine_;
     PlaneModel out_;
 };
 
@@ -442,7 +425,7 @@ void makeRegularRing(PlaneModel& model, const std::vector<int>& sides) {
     for (const int f : sides) {
         const PlaneModel::Face& face = model.faces[at(f)];
         outward.push_back(face.sense * normalOf(model, model.normals[at(face.normal)]));
-        offset += face.sense * face.side * model.offsets[at(face.offset)] / n;
+        offset += face.sense * model.offsets[at(face.offset)] / n;
         slope += std::asin(std::clamp(outward.back().z(), -1.0, 1.0)) / n;
     }
     // The frame turns so that the first side looks along its first axis.
@@ -469,15 +452,13 @@ void makeRegularRing(PlaneModel& model, const std::vector<int>& sides) {
         PlaneModel::Face& face = model.faces[at(sides[k])];
         face.normal = static_cast<int>(model.normals.size()) - 1;
         face.sense = 1.0;
-        face.side = 1.0;
         face.offset = static_cast<int>(model.offsets.size()) - 1;
     }
     dropUnused(model);
 }
 
-PlaneModel regularModel(const PolyhedronSpec& rough, const Mat3& frame,
-                        const RegularOptions& options) {
-    return Regular(rough, frame, options).model();
+PlaneModel regularModel(const PolyhedronSpec& rough, const Mat3& frame, double angleDeg) {
+    return Regular(rough, frame, angleDeg).model();
 }
 
 }  // namespace ew

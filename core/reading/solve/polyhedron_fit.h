@@ -28,8 +28,7 @@ struct PlaneModel {
     struct Face {
         int normal = -1;
         double sense = 1.0;  ///< the outward normal is sense * Normal
-        int offset = -1;     ///< index into offsets
-        double side = 1.0;   ///< the plane is side * offset from `center` along Normal
+        int offset = -1;     ///< index into offsets: of the plane from `center` along Normal
     };
     std::vector<Normal> normals;
     std::vector<double> angles;   ///< [rad]
@@ -46,8 +45,8 @@ struct PlaneModel {
 /// Where a vertex was drawn.
 struct DrawnVertex {
     int vertex = -1;
-    Vec2 at = Vec2::Zero();                                ///< [px]
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Identity();  ///< covariance [px^2]
+    Vec2 at = Vec2::Zero();  ///< [px]
+    double spreadPx = 1.0;   ///< standard deviation per axis
 };
 
 /// A line of which only one end is a vertex that is seen, or none.
@@ -72,19 +71,13 @@ struct PlaneFit {
 std::optional<PlaneFit> fitPlanes(PlaneModel model, const std::vector<DrawnVertex>& vertices,
                                   const std::vector<DrawnStretch>& stretches, int mostSteps = 40);
 
-/// What of a rough polyhedron is meant to be regular.
-struct RegularOptions {
-    double angleDeg = 8.0;  ///< directions that differ by less are one
-    double offsetPx = 0.0;  ///< parallel planes nearer than this are one
-};
-
 /// The planes of a polyhedron whose vertices are known roughly: normals near an axis of the frame
 /// are that axis, those nearly perpendicular to one are exactly so (and alike or mirrored where
 /// they nearly are), parallel ones are parallel.
 /// \param rough  camera space [px]; faces counter-clockwise from outside.
-/// \param frame  body to camera, a rotation.
-PlaneModel regularModel(const PolyhedronSpec& rough, const Mat3& frame,
-                        const RegularOptions& options);
+/// \param frame      body to camera, a rotation.
+/// \param angleDeg  directions that differ by less are one.
+PlaneModel regularModel(const PolyhedronSpec& rough, const Mat3& frame, double angleDeg);
 
 /// Makes faces the sides of a regular prism, frustum or pyramid: equal turns about the third axis
 /// of the body, equal slopes, equal distances from its center.

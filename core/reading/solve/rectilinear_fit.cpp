@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/tolerance.h"
+#include "core/reading/extract/plane_geometry.h"
 
 namespace ew {
 namespace {
@@ -240,10 +241,6 @@ class AffineFit {
     AffinePicture picture_;
 };
 
-double angleDeg(const Vec2& a, const Vec2& b) {
-    return std::abs(std::atan2(cross2(a, b), a.dot(b))) * kRadian;
-}
-
 /// Turns axes j and k apart (positive) or together by `deg` in sum, the shorter one turning more.
 double turnApart(AffinePicture& p, std::size_t j, std::size_t k, double deg) {
     const double lj = p.axes[j].norm();
@@ -299,7 +296,7 @@ CriticalAngle criticalAngle(const AffinePicture& picture) {
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t j = static_cast<std::size_t>((axis + 1) % 3);
         const std::size_t k = static_cast<std::size_t>((axis + 2) % 3);
-        const double off = std::abs(angleDeg(picture.axes[j], picture.axes[k]) - 90.0);
+        const double off = std::abs(angleBetweenDeg(picture.axes[j], picture.axes[k]) - 90.0);
         if (off < best.offDeg) {
             best = {axis, off,
                     std::hypot(picture.angleSpread[j], picture.angleSpread[k]) * kRadian};
@@ -313,7 +310,7 @@ AffinePicture snapToSolvable(const AffinePicture& picture, double marginDeg, dou
     const CriticalAngle c = criticalAngle(picture);
     const std::size_t j = static_cast<std::size_t>((c.axis + 1) % 3);
     const std::size_t k = static_cast<std::size_t>((c.axis + 2) % 3);
-    const double angle = angleDeg(p.axes[j], p.axes[k]);
+    const double angle = angleBetweenDeg(p.axes[j], p.axes[k]);
     const double target = angle < 90.0 ? 90.0 + marginDeg : 90.0 - marginDeg;
     movedPx = turnApart(p, j, k, target - angle);
     return p;
@@ -339,7 +336,7 @@ ObliqueBody obliqueAxes(const AffinePicture& picture, double factor, double& mov
     const std::size_t i = at(c.axis);
     const std::size_t j = static_cast<std::size_t>((c.axis + 1) % 3);
     const std::size_t k = static_cast<std::size_t>((c.axis + 2) % 3);
-    movedPx = turnApart(p, j, k, 90.0 - angleDeg(p.axes[j], p.axes[k]));
+    movedPx = turnApart(p, j, k, 90.0 - angleBetweenDeg(p.axes[j], p.axes[k]));
     ObliqueBody body;
     body.depthAxis = c.axis;
     body.axes[j] = Vec3(p.axes[j].x(), p.axes[j].y(), 0);

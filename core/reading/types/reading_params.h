@@ -84,7 +84,7 @@ inline constexpr double kWholeMisfit = 2.5;
 inline constexpr double kFaintCorner = 2.5;
 
 /// Price of a direction of faces that is across no axis of a solid, besides its freedom.
-inline constexpr double kSlantCost = 6.0;
+inline constexpr double kSlantedFacesCost = 6.0;
 
 /// Solids of one topology whose volumes differ by less are one to a person.
 inline constexpr double kSameVolume = 0.1;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/base/vec.h"
+
+namespace ew {
+
+/// The angle between two directions [degrees], 0..180.
+inline double angleBetweenDeg(const Vec2& a, const Vec2& b) {
+    return std::abs(std::atan2(cross2(a, b), a.dot(b))) * 180.0 / std::numbers::pi;
+}
+
+/// Is a point inside a simple polygon, whichever way that runs? Points on its border may be either.
+inline bool insidePolygon(const std::vector<Vec2>& polygon, const Vec2& p) {
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vec2& a = polygon[i];
+        const Vec2& b = polygon[j];
+        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+        if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace ew
