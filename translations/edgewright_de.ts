@@ -504,6 +504,14 @@
         <translation>Prisma</translation>
     </message>
     <message>
+        <source>Solid</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>%1 solids</source>
+        <translation>%1 Körper</translation>
+    </message>
+    <message>
         <source>Pyramid</source>
         <translation>Pyramide</translation>
     </message>

@@ -206,6 +206,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Triangular prism"),
     QT_TRANSLATE_NOOP("Core", "A right prism over any triangle."),
     QT_TRANSLATE_NOOP("Core", "Prism"), QT_TRANSLATE_NOOP("Core", "Pyramid"),
+    QT_TRANSLATE_NOOP("Core", "Solid"), QT_TRANSLATE_NOOP("Core", "%1 solids"),
     QT_TRANSLATE_NOOP("Core", "Frustum"), QT_TRANSLATE_NOOP("Core", "Triangular pyramid"),
     QT_TRANSLATE_NOOP("Core", "Four triangles, any shape."),
     QT_TRANSLATE_NOOP("Core", "Wedge frustum"),

@@ -33,6 +33,10 @@ bool startsWithVowelSound(const std::string& name) {
 }  // namespace
 
 std::string withArticle(const std::string& name) {
+    // "2 solids" are several.
+    const bool several = !name.empty() && name[0] >= '2' && name[0] <= '9' && name.find(' ') == 1 &&
+                         name.back() == 's';
+    if (several) return name;
     return (startsWithVowelSound(name) ? "an " : "a ") + name;
 }
 

@@ -6,7 +6,8 @@
 namespace ew {
 
 /// A name with its indefinite article, for English sentences: "a Cube", "an Octagon", "an L-prism"
-/// (a letter that is spelled), "a U-profile". Spelling decides, but for a few words.
+/// (a letter that is spelled), "a U-profile"; "2 solids" has none. Spelling decides, but for a few
+/// words.
 std::string withArticle(const std::string& name);
 
 }  // namespace ew

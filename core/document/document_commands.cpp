@@ -149,12 +149,15 @@ Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& 
         }
         return std::shared_ptr<const DocumentState>(std::move(after));
     }
-    auto solid = Solid::fromSpec(candidate.spec);
-    if (!solid) return fail(solid.error());
     if (!candidate.pose.rotation.allFinite() || !candidate.pose.translation.allFinite()) {
         return fail(Errc::NoSolution, "The solid has no place in the world.");
     }
-    after->bodies.push_back({*std::move(solid), candidate.pose});
+    // What stands apart becomes a body of its own.
+    for (const PolyhedronSpec& spec : separateBodies(candidate.spec)) {
+        auto solid = Solid::fromSpec(spec);
+        if (!solid) return fail(solid.error());
+        after->bodies.push_back({*std::move(solid), candidate.pose});
+    }
     return std::shared_ptr<const DocumentState>(std::move(after));
 }
 

@@ -143,6 +143,29 @@ std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph) {
     return parts;
 }
 
+EdgeGraph joinedParts(const std::vector<EdgeGraph>& parts) {
+    EdgeGraph out;
+    for (const EdgeGraph& part : parts) {
+        const int first = static_cast<int>(out.junctions.size());
+        out.junctions.insert(out.junctions.end(), part.junctions.begin(), part.junctions.end());
+        for (GraphEdge e : part.edges) {
+            for (int& j : e.ends) j += first;
+            out.edges.push_back(std::move(e));
+        }
+        const int danglingFrom = static_cast<int>(out.dangling.size());
+        for (DanglingEdge d : part.dangling) {
+            if (d.junction >= 0) d.junction += first;
+            out.dangling.push_back(std::move(d));
+        }
+        for (OpenEnd o : part.openEnds) {
+            if (o.edge >= 0) o.edge += danglingFrom;
+            out.openEnds.push_back(o);
+        }
+        out.noise.insert(out.noise.end(), part.noise.begin(), part.noise.end());
+    }
+    return out;
+}
+
 double graphExtent(const EdgeGraph& graph) {
     Eigen::AlignedBox2d box;
     for (const Junction& j : graph.junctions) box.extend(j.position);

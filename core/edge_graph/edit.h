@@ -15,6 +15,9 @@ EdgeGraph withoutEdges(const EdgeGraph& graph, const std::vector<int>& edges);
 /// ends stay with the first.
 std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph);
 
+/// Several graphs as one, beside each other; the inverse of connectedParts().
+EdgeGraph joinedParts(const std::vector<EdgeGraph>& parts);
+
 /// Bounding-box diagonal of the junctions [px].
 double graphExtent(const EdgeGraph& graph);
 

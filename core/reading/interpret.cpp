@@ -4,10 +4,16 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/words.h"
 #include "core/edge_graph/build.h"
+#include "core/reading/evidence/hand_noise.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
 #include "core/reading/propose/whole_drawing.h"
+#include "core/reading/score/candidates.h"
+#include "core/reading/score/picture_evidence.h"
+#include "core/reading/types/reading_params.h"
+#include "core/solid/solid.h"
 #include "core/tlib/library_index.h"
 
 namespace ew {
@@ -28,10 +34,45 @@ std::size_t mostLines(const TemplateLibrary& library) {
 bool foundNothing(const Interpretation& reading) {
     if (reading.accepted || !reading.problem) return false;
     const Errc code = reading.problem->code;
-    if (code == Errc::NoMatch || code == Errc::NotParallel || code == Errc::NoSolution) return true;
+    for (const Errc none :
+         {Errc::NoMatch, Errc::NotParallel, Errc::NoSolution, Errc::SeparateDrawings}) {
+        if (code == none) return true;
+    }
     if (code != Errc::Ambiguous || reading.candidates.empty()) return false;
     const Candidate& best = reading.candidates.front();
     return best.missingEdges > 0 || best.extraEdges > 0 || !best.unusedStrokes.empty();
+}
+
+/// The picture of what was taken against the drawing; nothing where the view is no parallel
+/// projection.
+std::optional<PictureEvidence> pictureOf(const InkReading& ink, const Interpretation& reading,
+                                         const InterpretOptions& options) {
+    const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
+    if (c.depth != DepthRule::Orthographic) return std::nullopt;
+    const auto solid = Solid::fromSpec(c.spec);
+    if (!solid) return std::nullopt;
+    const double noise = std::max(drawingNoisePx(reading.graph), handNoisePx(ink));
+    const double near = std::min(options.thresholds.distancePx,
+                                 params::kLeastBesidePx + 3.0 * noise + 2.0 * c.residualPx);
+    return pictureEvidence(ink, *solid, c.pose, options.camera, near);
+}
+
+/// What was taken becomes a question.
+void askInstead(Interpretation& reading) {
+    const auto best = static_cast<std::size_t>(*reading.accepted);
+    const std::string name = withArticle(reading.candidates[best].templateName);
+    Repair use;
+    use.kind = Repair::Kind::UseCandidate;
+    use.candidate = *reading.accepted;
+    use.label = "Take it as " + name + " all the same";
+    reading.repairs.push_back(std::move(use));
+    std::vector<Vec2> where;
+    for (const Junction& j : reading.graph.junctions) where.push_back(j.position);
+    reading.problem = Error{
+        Errc::Ambiguous,
+        "This could be " + name + ", but only without some of the lines; choose it, or draw on.",
+        std::move(where)};
+    reading.accepted.reset();
 }
 
 Interpretation wholeOf(WholeReading whole) {
@@ -42,8 +83,19 @@ Interpretation wholeOf(WholeReading whole) {
     return read;
 }
 
+/// A template with lines on it stays what was taken; a solid that has them as edges, but not
+/// without doubt, stands behind it.
+void offerToo(WholeReading whole, Interpretation& reading) {
+    for (Candidate& c : whole.candidates) {
+        // The candidates speak of another graph.
+        c.junctionVertex.assign(reading.graph.junctions.size(), -1);
+        reading.candidates.push_back(std::move(c));
+    }
+}
+
 /// One template, or the drawing as a whole. What has more lines than any template shows is read as
-/// a whole first: looking for what may be wrong with it takes long.
+/// a whole first, and taken so where that explains next to all of them: looking for what may be
+/// wrong with it takes long.
 Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& library,
                                const InterpretOptions& options) {
     const bool any = options.templateId.empty();
@@ -51,14 +103,35 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     std::optional<WholeReading> whole;
     if (any && ink.segments.size() > most) {
         whole = readWholeDrawing(ink, library, options);
-        if (whole->clear && whole->graph.edges.size() > most && !whole->isKnown) {
+        if (whole->clear && whole->graph.edges.size() > most && !whole->isKnown &&
+            whole->residue <= params::kMostDetail) {
             return wholeOf(*std::move(whole));
         }
     }
     Interpretation out = readFreeDrawing(ink, library, options);
-    if (!any || !foundNothing(out)) return out;
+    if (!any) return out;
+    bool doubtful = foundNothing(out);
+    bool leavesDetail = false;
+    bool contradicted = false;
+    if (const auto picture = out.accepted ? pictureOf(ink, out, options) : std::nullopt) {
+        contradicted = picture->contradiction() > params::kMostContradiction;
+        // Lines inside a face may be a window that was drawn on it, or a part of the solid.
+        leavesDetail = picture->detailPx > params::kMostDetail * picture->inkPx;
+        doubtful = contradicted || leavesDetail;
+        if (contradicted) askInstead(out);
+    }
+    if (!doubtful) return out;
     if (!whole) whole = readWholeDrawing(ink, library, options);
-    return whole->clear ? wholeOf(*std::move(whole)) : out;
+    const bool same = out.accepted && !whole->candidates.empty() &&
+                      whole->candidates.front().templateId ==
+                          out.candidates[static_cast<std::size_t>(*out.accepted)].templateId;
+    if (same) return out;
+    // Lines inside faces are a part of the solid only where that explains next to all of them.
+    const bool detailed = out.accepted && leavesDetail && !contradicted;
+    const bool explains = !detailed || whole->residue <= params::kMostDetail;
+    if (whole->clear && explains) return wholeOf(*std::move(whole));
+    if (detailed && explains) offerToo(*std::move(whole), out);
+    return out;
 }
 
 }  // namespace

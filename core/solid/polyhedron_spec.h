@@ -16,4 +16,8 @@ struct PolyhedronSpec {
                                           ///< seen from outside; a face has no holes here
 };
 
+/// The bodies of a polyhedron that share no vertex, in the order of their first face; vertices in
+/// the order in which they were. O(n).
+std::vector<PolyhedronSpec> separateBodies(const PolyhedronSpec& spec);
+
 }  // namespace ew

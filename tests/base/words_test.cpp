@@ -17,6 +17,7 @@ TEST(WithArticle, FollowsTheSoundOfANamesBeginning) {
         EXPECT_EQ(withArticle(name), std::string("an ") + name);
     }
     EXPECT_EQ(withArticle(""), "a ");
+    EXPECT_EQ(withArticle("2 solids"), "2 solids");
 }
 
 }  // namespace

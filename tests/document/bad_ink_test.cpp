@@ -86,8 +86,8 @@ struct BadInk {
 };
 
 std::vector<BadInk> badInk() {
-    Lines twoBoxes = boxAt({-60, 0, 0});
-    for (auto& points : boxAt({60, 60, 0})) twoBoxes.push_back(std::move(points));
+    Lines boxAndTriangle = boxAt({-60, 0, 0});
+    boxAndTriangle.push_back({Vec2(900, 300), Vec2(1050, 340), Vec2(960, 480), Vec2(900, 300)});
     std::vector<Vec2> pentagram;
     for (int i = 0; i <= 5; ++i) {
         const double a = 0.8 * std::numbers::pi * i;
@@ -109,7 +109,7 @@ std::vector<BadInk> badInk() {
         {"a dot of many samples", {std::vector<Vec2>(500, Vec2(640, 400))}, {Errc::OnlyNoise}},
         {"closed scribble", {closedScribble}, noLines},
         {"circle", {roundAbout(1, 1, [](double) { return 120.0; })}, noLines},
-        {"two boxes", twoBoxes, {Errc::SeparateDrawings}},
+        {"a box and a triangle", boxAndTriangle, {Errc::SeparateDrawings}},
         {"bow tie",
          {{Vec2(500, 300), Vec2(800, 600), Vec2(800, 300), Vec2(500, 600), Vec2(500, 300)}},
          crosses},
@@ -239,6 +239,24 @@ TEST(BadInk, CoordinatesThatAreNoPlaceAreRefusedAtTheStroke) {
         ASSERT_FALSE(read) << point;
         EXPECT_EQ(read.error().code, Errc::Syntax) << point;
     }
+}
+
+TEST(TwoBoxes, BecomeTwoBodiesInOneStep) {
+    Document d(library());
+    Lines lines = boxAt({-60, 0, 0});
+    for (auto& points : boxAt({60, 60, 0})) lines.push_back(std::move(points));
+    const auto failure = firstFailure(d, script(lines, kApply));
+    ASSERT_FALSE(failure) << failure->error->message;
+    ASSERT_EQ(d.state().bodies.size(), 2U);
+    for (const Body& body : d.state().bodies) {
+        EXPECT_EQ(body.solid.shellCount(), 1);
+        EXPECT_NEAR(body.solid.volume(), 40 * 30 * 20, 1.0);
+    }
+    ASSERT_TRUE(d.undo());
+    EXPECT_TRUE(d.state().bodies.empty());
+    EXPECT_EQ(d.pendingStrokes().size(), lines.size());
+    ASSERT_TRUE(d.redo());
+    EXPECT_EQ(d.state().bodies.size(), 2U);
 }
 
 }  // namespace

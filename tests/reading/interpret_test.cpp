@@ -274,12 +274,40 @@ Stroke circle(const Vec2& center, double radius) {
     return s;
 }
 
+TEST(Interpret, TwoBoxesAreTwoBodiesOnOneGround) {
+    const InterpretOptions options;
+    auto two = boxStrokes(options.camera, Vec3(40, 30, 30), Vec3(-60, 0, 0));
+    for (const Stroke& s : boxStrokes(options.camera, Vec3(40, 40, 50), Vec3(60, 60, 0))) {
+        two.push_back(s);
+    }
+    const auto r = readStrokes(two);
+    ASSERT_TRUE(r.accepted) << (r.problem ? r.problem->message : "");
+    EXPECT_EQ(r.candidates[0].templateName, "2 solids");
+    const auto bodies = separateBodies(r.candidates[0].spec);
+    ASSERT_EQ(bodies.size(), 2U);
+    std::vector<double> volumes{volumeOf(bodies[0]), volumeOf(bodies[1])};
+    std::sort(volumes.begin(), volumes.end());
+    EXPECT_NEAR(volumes[0], 40 * 30 * 30, 1.0);
+    EXPECT_NEAR(volumes[1], 40 * 40 * 50, 1.0);
+    // Their lowest points are equally high.
+    std::vector<double> ground;
+    for (const PolyhedronSpec& body : bodies) {
+        double low = std::numeric_limits<double>::infinity();
+        for (const Vec3& v : body.vertices) {
+            low = std::min(low, r.candidates[0].pose.toWorld(v).z());
+        }
+        ground.push_back(low);
+    }
+    EXPECT_NEAR(ground[0], ground[1], 1e-6);
+}
+
 TEST(Interpret, BadInputHasACodeAndAPlace) {
     const InterpretOptions options;
     const auto box = boxStrokes(options.camera, Vec3(40, 30, 30), Vec3(-60, 0, 0));
+    // A box and a triangle beside it, which is no solid.
     auto two = box;
-    for (const Stroke& s : boxStrokes(options.camera, Vec3(40, 30, 30), Vec3(60, 60, 0)))
-        two.push_back(s);
+    const std::vector<Vec2> triangle{{900, 300}, {1050, 340}, {960, 480}};
+    for (std::size_t k = 0; k < 3; ++k) two.push_back(line(triangle[k], triangle[(k + 1) % 3]));
     Stroke nan = line(Vec2(1, 1), Vec2(std::nan(""), 1));
     Stroke infinite = line(Vec2(1, 1), Vec2(std::numeric_limits<double>::infinity(), 1));
     Stroke huge = line(Vec2(1, 1), Vec2(1e308, -1e308));
@@ -302,7 +330,7 @@ TEST(Interpret, BadInputHasACodeAndAPlace) {
          {arcStroke({400, 300}, 120, 9, 1)},
          {Errc::Scribble, Errc::CurvedStroke, Errc::NoMatch, Errc::SelfCrossing}},
         {"circle", {circle({400, 300}, 90)}, {Errc::CurvedStroke}},
-        {"two boxes", two, {Errc::SeparateDrawings}},
+        {"two drawings", two, {Errc::SeparateDrawings}},
         {"bow tie", crossing, {Errc::SelfCrossing}},
     };
     for (const BadInput& bad : table) {

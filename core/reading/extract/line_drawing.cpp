@@ -2,7 +2,9 @@
 #include "core/reading/extract/line_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/reading/extract/plane_geometry.h"
 
@@ -46,7 +48,44 @@ void addRegion(LineDrawing& drawing, const PlaneFace& face) {
     drawing.regions.push_back(std::move(region));
 }
 
+/// Per node: a number of the connected part that it belongs to.
+std::vector<int> partOfNode(const LineDrawing& drawing,
+                            const std::vector<std::array<int, 2>>& edges) {
+    std::vector<int> part(drawing.nodes.size());
+    std::iota(part.begin(), part.end(), 0);
+    const auto root = [&](int v) {
+        while (part[at(v)] != v) v = part[at(v)] = part[at(part[at(v)])];
+        return v;
+    };
+    for (const auto& e : edges) part[at(root(e[0]))] = root(e[1]);
+    for (std::size_t v = 0; v < part.size(); ++v) part[v] = root(static_cast<int>(v));
+    return part;
+}
+
+/// The outline of a connected part becomes a hole of the smallest region of another one round it.
+void addIsland(LineDrawing& drawing, const std::vector<int>& part, const std::vector<int>& loop) {
+    const int node = drawing.from[at(loop.front())];
+    int around = -1;
+    for (std::size_t r = 0; r < drawing.regions.size(); ++r) {
+        const LineDrawing::Region& region = drawing.regions[r];
+        if (part[at(drawing.from[at(region.loop.front())])] == part[at(node)]) continue;
+        if (around >= 0 && region.areaPx >= drawing.regions[at(around)].areaPx) continue;
+        if (insidePolygon(drawing.polygon(region.loop), drawing.nodes[at(node)].at)) {
+            around = static_cast<int>(r);
+        }
+    }
+    if (around < 0) return;
+    for (const int d : loop) drawing.left[at(d)] = around;
+    drawing.regions[at(around)].holes.push_back(loop);
+}
+
 }  // namespace
+
+std::vector<Vec2> LineDrawing::polygon(const std::vector<int>& loop) const {
+    std::vector<Vec2> out;
+    for (const int d : loop) out.push_back(nodes[at(from[at(d)])].at);
+    return out;
+}
 
 bool LineDrawing::straightThrough(int in, int out) const {
     return angleBetweenDeg(vector(in), vector(out)) < straightDeg;
@@ -74,17 +113,21 @@ LineDrawing lineDrawing(const EdgeGraph& graph, double straightDeg) {
         } while (next != d);
     }
     for (LineDrawing::Node& node : drawing.nodes) node.stem = stemOf(drawing, node);
-    std::vector<PlaneFace> faces = facesOf(plane, rotation);
-    const auto outer = std::max_element(
-        faces.begin(), faces.end(),
-        [](const PlaneFace& a, const PlaneFace& b) { return std::abs(a.area) < std::abs(b.area); });
-    for (auto it = faces.begin(); it != faces.end(); ++it) {
-        if (it == outer) {
-            drawing.outline = it->loop;
-        } else {
-            addRegion(drawing, *it);
+    const std::vector<PlaneFace> faces = facesOf(plane, rotation);
+    // Bounded regions run clockwise, outlines of connected parts the other way round.
+    const PlaneFace* widest = nullptr;
+    std::vector<const PlaneFace*> outlines;
+    for (const PlaneFace& face : faces) {
+        if (face.area > 0.0) {
+            addRegion(drawing, face);
+            continue;
         }
+        outlines.push_back(&face);
+        if (widest == nullptr || face.area < widest->area) widest = &face;
     }
+    if (widest != nullptr) drawing.outline = widest->loop;
+    const std::vector<int> part = partOfNode(drawing, plane.edges);
+    for (const PlaneFace* outline : outlines) addIsland(drawing, part, outline->loop);
     return drawing;
 }
 

@@ -8,7 +8,7 @@
 
 namespace ew {
 
-/// A connected Edge Graph as a drawing of faces: hidden lines are removed, so its regions are what
+/// An Edge Graph as a drawing of faces: hidden lines are removed, so its regions are what
 /// is seen of faces, and where a line ends on another one that goes straight on something is in
 /// front of it. Directed edge 2e runs edges[e].ends[0] -> ends[1] of the graph, 2e + 1 back.
 struct LineDrawing {
@@ -18,7 +18,8 @@ struct LineDrawing {
         int stem = -1;           ///< T junction: the directed edge that leaves from the bar
     };
     struct Region {
-        std::vector<int> loop;     ///< directed edges; the region is to one side of all of them
+        std::vector<int> loop;  ///< directed edges; the region is to one side of all of them
+        std::vector<std::vector<int>> holes;  ///< outlines of parts that lie within it
         std::vector<int> corners;  ///< nodes of the loop at which its outline turns, in order
         double areaPx = 0.0;       ///< >= 0 [px^2]
         bool partly = false;       ///< some corner is a T junction whose stem is a line of it, so
@@ -29,7 +30,7 @@ struct LineDrawing {
     std::vector<int> from;        ///< per directed edge: node
     std::vector<int> left;        ///< per directed edge: region whose loop it is on, -1 outside
     std::vector<Region> regions;  ///< bounded ones
-    std::vector<int> outline;     ///< the outer loop, directed edges
+    std::vector<int> outline;     ///< the outer loop of the widest connected part, directed edges
 
     static int twin(int d) { return d ^ 1; }
     int to(int d) const { return from[static_cast<std::size_t>(d ^ 1)]; }
@@ -38,13 +39,14 @@ struct LineDrawing {
                nodes[static_cast<std::size_t>(from[static_cast<std::size_t>(d)])].at;
     }
     bool isT(int node) const { return nodes[static_cast<std::size_t>(node)].stem >= 0; }
+    /// The corners of a loop [px].
+    std::vector<Vec2> polygon(const std::vector<int>& loop) const;
     /// Does the line go straight on through this node, from one directed edge's end to the other?
     bool straightThrough(int in, int out) const;
 
     double straightDeg = 8.0;  ///< a turn of less is none
 };
 
-/// \param graph        connected.
 /// \param straightDeg  two lines of a junction that turn by less are one line [degrees].
 LineDrawing lineDrawing(const EdgeGraph& graph, double straightDeg);
 

@@ -12,6 +12,8 @@
 #include "core/base/tolerance.h"
 #include "core/edge_graph/edit.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/extract/axis_frames.h"
+#include "core/reading/propose/polyhedron_proposals.h"
 #include "core/reading/propose/prism_proposals.h"
 #include "core/reading/propose/pyramid_proposals.h"
 #include "core/reading/score/candidates.h"
@@ -31,8 +33,9 @@ struct Solved {
     double cost = 0.0;
     double misfit = 0.0;  ///< PlaneFit::misfit
     Solid solid;
-    bool known = false;  ///< is a template of the library
-    bool faint = false;  ///< some corner of a seen face turns by no more than this hand errs
+    bool known = false;    ///< is a template of the library
+    bool guessed = false;  ///< a hole ends where nothing of it is seen
+    bool faint = false;    ///< some corner of a seen face turns by no more than this hand errs
     std::shared_ptr<const EdgeGraph> graph;
 };
 
@@ -44,24 +47,14 @@ class WholeReader {
 
     WholeReading run() {
         std::vector<Solved> found;
-        for (EdgeGraph& whole : buildEdgeGraphs(ink_, options_.thresholds.distancePx)) {
-            if (whole.empty()) continue;
-            std::vector<EdgeGraph> parts = connectedParts(whole);
-            if (parts.front().edges.size() < kFewestLines) continue;
-            const auto graph = std::make_shared<const EdgeGraph>(std::move(parts.front()));
-            const double price = bends(*graph);
-            for (Solved& s : read(*graph)) {
-                s.cost += price;
-                s.graph = graph;
-                found.push_back(std::move(s));
-            }
+        for (const double distance : joinDistances()) {
+            readAt(distance, found);
+            if (!found.empty() && isClear(found)) break;
         }
-        std::stable_sort(found.begin(), found.end(),
-                         [](const Solved& a, const Solved& b) { return a.cost < b.cost; });
-        dropAlike(found);
         WholeReading out;
         if (found.empty()) return out;
         out.clear = isClear(found);
+        out.residue = found.front().evidence.residue();
         out.graph = *found.front().graph;
         out.isKnown = found.front().known;
         for (Solved& s : found) {
@@ -77,9 +70,48 @@ class WholeReader {
     static constexpr std::size_t kFewestLines = 6;
     static constexpr std::size_t kManyLines = 16;
     static constexpr int kMostTried = 60;  ///< proposals of all graphs
+    static constexpr std::size_t kMostFrames = 6;
+    static constexpr double kSureFrame = 0.9;  ///< share of the lines along an axis
     static constexpr double kLeastSnapDeg = 0.5;
     /// What fits no better than this, in variances, is not worth the work.
     static constexpr double kHopeless = 10.0;
+
+    /// How near ends count as meeting: a steady hand's corners lie together, and what it draws
+    /// close to one another are two places.
+    std::vector<double> joinDistances() const {
+        const double usual = options_.thresholds.distancePx;
+        constexpr double kSpreads = 4.0;
+        constexpr double kLeastPx = 4.0;
+        const double steady = std::max(kLeastPx, kSpreads * endSpread(ink_.segments, usual));
+        if (steady > 0.8 * usual) return {usual};
+        return {steady, usual};
+    }
+
+    void readAt(double distance, std::vector<Solved>& found) {
+        for (const EdgeGraph& whole : buildEdgeGraphs(ink_, distance)) {
+            if (whole.empty()) continue;
+            std::vector<EdgeGraph> parts = connectedParts(whole);
+            if (parts.front().edges.size() < kFewestLines) continue;
+            add(EdgeGraph(parts.front()), true, found);
+            // One closed line is no body, and no part of one.
+            std::erase_if(parts, isOneOutline);
+            if (parts.size() > 1) add(joinedParts(parts), false, found);
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Solved& a, const Solved& b) { return a.cost < b.cost; });
+        dropAlike(found);
+    }
+
+    /// \param alone  the graph is connected, and may be one of a family.
+    void add(EdgeGraph&& graph, bool alone, std::vector<Solved>& found) {
+        const auto shared = std::make_shared<const EdgeGraph>(std::move(graph));
+        const double price = bends(*shared);
+        for (Solved& s : read(*shared, alone)) {
+            s.cost += price;
+            s.graph = shared;
+            found.push_back(std::move(s));
+        }
+    }
 
     /// What lines that stray from their edges cost: each correlation length of ink is a sample.
     double bends(const EdgeGraph& graph) const {
@@ -92,16 +124,37 @@ class WholeReader {
         return price;
     }
 
-    std::vector<Solved> read(const EdgeGraph& graph) {
+    std::vector<Solved> read(const EdgeGraph& graph, bool alone) {
         noise_ = std::max(drawingNoisePx(graph), handNoisePx(ink_));
         corner_ = cornerSpread(ink_, options_.thresholds.distancePx, noise_);
         const LineDrawing drawing = lineDrawing(graph, params::kStraightDeg);
+        spread_ = fitSpread_ = std::hypot(noise_, corner_);
         std::vector<Solved> found;
-        spread_ = std::hypot(noise_, corner_);
-        std::vector<ShapeHypothesis> proposals = prismProposals(drawing, spread_);
-        for (ShapeHypothesis& h : pyramidProposals(drawing, spread_)) {
-            proposals.push_back(std::move(h));
+        if (alone) {
+            std::vector<ShapeHypothesis> families = prismProposals(drawing, spread_);
+            for (ShapeHypothesis& h : pyramidProposals(drawing, spread_)) {
+                families.push_back(std::move(h));
+            }
+            if (solveAll(families, drawing, found)) return found;
         }
+        std::vector<double> spreads{spread_};
+        // An exact drawing tells planes apart that a hand would draw as one.
+        constexpr double kExactSpreadPx = 0.03;
+        if (noise_ <= params::kExactPx) spreads.insert(spreads.begin(), kExactSpreadPx);
+        for (const double spread : spreads) {
+            for (const AxisFrame& frame : axisFrames(drawing, spread, kMostFrames)) {
+                const bool explained =
+                    solveAll(polyhedronProposals(drawing, frame, spread), drawing, found);
+                // Slanted lines fit more than one frame.
+                if (explained && frame.share > kSureFrame) return found;
+            }
+        }
+        return found;
+    }
+
+    /// \return does one of them explain the ink?
+    bool solveAll(const std::vector<ShapeHypothesis>& proposals, const LineDrawing& drawing,
+                  std::vector<Solved>& found) {
         std::vector<Rough> rough;
         for (const ShapeHypothesis& h : proposals) {
             // An exact drawing is told by any proposal, also by one that is too many to be tried.
@@ -109,12 +162,17 @@ class WholeReader {
             rough.push_back(wanted ? roughFit(h, drawing) : Rough{});
             rough.back().tried = tried_++ < kMostTried;
         }
-        fitSpread_ = exactSpread(rough).value_or(spread_);
+        fitSpread_ = std::min(fitSpread_, exactSpread(rough).value_or(spread_));
+        bool explained = false;
         for (std::size_t i = 0; i < proposals.size(); ++i) {
             if (!rough[i].tried || !rough[i].fit || rough[i].fit->misfit > kHopeless) continue;
-            if (auto s = solve(proposals[i], drawing)) found.push_back(std::move(*s));
+            auto s = solve(proposals[i], drawing);
+            if (!s) continue;
+            explained = explained || (s->misfit <= params::kWholeMisfit &&
+                                      s->evidence.residue() <= params::kWholeResidue);
+            found.push_back(std::move(*s));
         }
-        return found;
+        return explained;
     }
 
     /// A proposal's least regular model, after a few steps.
@@ -154,8 +212,11 @@ class WholeReader {
         std::optional<PlaneFit> best;
         const auto vertices = seen(h, drawing, fitSpread_);
         const auto lines = stretches(h, fitSpread_);
+        int before = -1;
         for (const double angle : {kLeastSnapDeg, 3.0, 8.0, 15.0}) {
             std::vector<PlaneModel> models{regularModel(h.rough, h.frame, angle)};
+            if (models.front().freedoms() == before) continue;  // no more regular
+            before = models.front().freedoms();
             if (!h.ring.empty()) {
                 models.push_back(models.front());
                 makeRegularRing(models.back(), h.ring);
@@ -164,20 +225,53 @@ class WholeReader {
                 const int freedoms = model.freedoms();
                 auto f = fitPlanes(std::move(model), vertices, lines);
                 if (!f) continue;
-                f->cost +=
-                    params::kFreedomCost * freedoms + params::kSlantedFacesCost * slants(f->model);
+                f->cost += params::kFreedomCost * freedoms + hiddenCost(f->model);
                 if (!best || f->cost < best->cost) best = std::move(f);
             }
         }
         return best;
     }
 
-    /// Directions of faces that are across no axis of the body.
-    static double slants(const PlaneModel& model) {
-        const auto free = std::count_if(
-            model.normals.begin(), model.normals.end(),
-            [](const PlaneModel::Normal& n) { return n.kind == PlaneModel::Normal::Kind::Free; });
-        return static_cast<double>(model.angles.size()) + static_cast<double>(free);
+    /// Price of the planes that only faces which look away have: parallel to a seen face, its
+    /// mirror image, or another direction. A freedom that only they have is none of the drawing's.
+    static double hiddenCost(const PlaneModel& model) {
+        std::vector<bool> offset(model.offsets.size(), false);
+        std::vector<bool> normal(model.normals.size(), false);
+        std::vector<bool> angle(model.angles.size(), false);
+        const auto looksHere = [&](const PlaneModel::Face& f) {
+            const PlaneModel::Normal& n = model.normals[at(f.normal)];
+            return f.sense * (model.bodyToCamera * model.direction(n)).z() < 0.0;
+        };
+        double cost = 0.0;
+        for (const PlaneModel::Face& f : model.faces) {
+            if (!looksHere(f)) continue;
+            offset[at(f.offset)] = true;
+            normal[at(f.normal)] = true;
+            const int a = model.normals[at(f.normal)].angle;
+            if (a >= 0) angle[at(a)] = true;
+        }
+        using Kind = PlaneModel::Normal::Kind;
+        for (std::size_t k = 0; k < model.normals.size(); ++k) {
+            const PlaneModel::Normal& n = model.normals[k];
+            if (n.kind == Kind::Free) {
+                cost += params::kSlantedFacesCost;
+                if (!normal[k]) cost -= 2.0 * params::kFreedomCost;
+            }
+        }
+        for (const bool seen : angle) {
+            cost += params::kSlantedFacesCost - (seen ? 0.0 : params::kFreedomCost);
+        }
+        for (const PlaneModel::Face& f : model.faces) {
+            if (offset[at(f.offset)]) continue;
+            offset[at(f.offset)] = true;
+            const PlaneModel::Normal& n = model.normals[at(f.normal)];
+            const bool alike = normal[at(f.normal)] || n.kind == Kind::Fixed;
+            const bool mirrored = n.kind == Kind::Turn && angle[at(n.angle)];
+            cost -= params::kFreedomCost;
+            cost += alike ? params::kParallelPlaneCost
+                          : (mirrored ? params::kMirrorPlaneCost : params::kNewPlaneCost);
+        }
+        return cost;
     }
 
     std::vector<DrawnVertex> seen(const ShapeHypothesis& h, const LineDrawing& drawing,
@@ -203,8 +297,8 @@ class WholeReader {
         place(*f, h, c);
         auto solid = Solid::fromSpec(c.spec);
         if (!solid) return std::nullopt;
-        Solved out{std::move(c),      {},    f->cost,        f->misfit,
-                   *std::move(solid), false, isFaint(*f, h), nullptr};
+        Solved out{std::move(c), {},    f->cost,        f->misfit, *std::move(solid),
+                   false,        false, isFaint(*f, h), nullptr};
         // A careful hand's lines lie where the picture has them, but for what the fit itself
         // misses.
         const double missed = std::sqrt(f->misfit) * fitSpread_;
@@ -213,8 +307,24 @@ class WholeReader {
         out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near);
         out.cost += params::kStrayCost * (out.evidence.strayPx + out.evidence.barePx) /
                     options_.thresholds.distancePx;
+        out.cost += h.price + params::kUnseenCornerCost *
+                                  static_cast<double>(std::count(h.node.begin(), h.node.end(), -1));
         describe(h, *f, out);
+        out.guessed = endsUnseen(out.solid, h);
         return out;
+    }
+
+    /// Has a face a hole of which no corner is seen? A hole through the solid may as well end
+    /// within it.
+    static bool endsUnseen(const Solid& solid, const ShapeHypothesis& h) {
+        // The solid's corners come in the order of the hypothesis where all of them were kept.
+        if (solid.vertices().size() != h.node.size()) return false;
+        return std::any_of(solid.faces().begin(), solid.faces().end(), [&](const SolidFace& f) {
+            return std::any_of(f.loops.begin() + 1, f.loops.end(), [&](const auto& hole) {
+                return std::all_of(hole.begin(), hole.end(),
+                                   [&](int v) { return h.node[at(v)] < 0; });
+            });
+        });
     }
 
     /// Does some face that looks at the eye have a corner that may be the bend of one line?
@@ -253,6 +363,8 @@ class WholeReader {
         Candidate& c = out.candidate;
         c.templateId = h.family;
         c.templateName = familyName(h.family);
+        const std::size_t bodies = separateBodies(c.spec).size();
+        if (bodies > 1) c.templateName = std::to_string(bodies) + " solids";
         if (const LibraryEntry* entry = templateOf(f.model, c.spec)) {
             c.templateId = entry->tmpl.id;
             c.templateName = entry->tmpl.name;
@@ -296,7 +408,8 @@ class WholeReader {
 
     static std::string familyName(const std::string& family) {
         if (family == "prism") return "Prism";
-        return family == "pyramid" ? "Pyramid" : "Frustum";
+        if (family == "pyramid") return "Pyramid";
+        return family == "frustum" ? "Frustum" : "Solid";
     }
 
     /// One reading of each solid: every face of a box may be the base.
@@ -324,6 +437,7 @@ class WholeReader {
         if (unsteady && !found.front().known && found.front().graph->edges.size() < kManyLines) {
             return false;
         }
+        if (found.front().guessed) return false;
         return std::none_of(found.begin() + 1, found.end(), [&](const Solved& other) {
             return other.evidence.residue() <= params::kOtherResidue &&
                    other.cost < found.front().cost + params::kWholeMargin;

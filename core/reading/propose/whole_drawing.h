@@ -13,6 +13,7 @@ struct WholeReading {
     EdgeGraph graph;                    ///< that the candidates speak of
     std::vector<Candidate> candidates;  ///< best first
     bool clear = false;                 ///< the first one explains the ink, and no other does
+    double residue = 1.0;               ///< of the first one: PictureEvidence::residue()
     bool isKnown = false;               ///< the first one is a template of the library
 };
 

@@ -75,8 +75,11 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
         return out;
     }
     std::vector<Line> seen, all;
+    std::vector<int> edgeOf;
     for (const VisiblePiece& p : view->visiblePieces()) {
-        if (!p.point) seen.push_back(p.px);
+        if (p.point) continue;
+        seen.push_back(p.px);
+        edgeOf.push_back(p.edge);
     }
     for (const SolidEdge& e : solid.edges()) {
         all.push_back({view->points()[at(e.ends[0])], view->points()[at(e.ends[1])]});
@@ -85,6 +88,7 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     const LineGrid any(all, nearPx);
     std::vector<Line> drawn;
     std::map<int, StrokeShare> strokes;
+    std::map<int, double> outside, bare;  // by stroke, by edge
     for (const Segment& s : ink.segments) {
         const double each =
             s.inkPx / static_cast<double>(std::max<std::size_t>(1, s.points.size()));
@@ -94,6 +98,11 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
             if (visible.isNear(p) || any.isNear(p)) continue;
             stroke.beside += each;
             out.strayPx += each;
+            if (view->pick(p)) {
+                out.detailPx += each;
+            } else {
+                outside[s.stroke] += each;
+            }
         }
         for (std::size_t k = 1; k < s.points.size(); ++k) {
             drawn.push_back({s.points[k - 1], s.points[k]});
@@ -102,13 +111,19 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     out.beside = strokesLeftOut(strokes, ink.noise);
     const LineGrid inked(drawn, nearPx);
     constexpr double kStepPx = 4.0;
-    for (const Line& line : seen) {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const Line& line = seen[i];
         const double length = (line[1] - line[0]).norm();
         const int steps = 1 + static_cast<int>(length / kStepPx);
         for (int k = 0; k < steps; ++k) {
             const Vec2 p = line[0] + (line[1] - line[0]) * (k + 0.5) / steps;
-            if (!inked.isNear(p)) out.barePx += length / steps;
+            if (inked.isNear(p)) continue;
+            out.barePx += length / steps;
+            bare[edgeOf[i]] += length / steps;
         }
+    }
+    for (const auto& lengths : {outside, bare}) {
+        for (const auto& [index, px] : lengths) out.slipPx = std::max(out.slipPx, px);
     }
     return out;
 }

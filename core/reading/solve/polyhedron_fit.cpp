@@ -58,12 +58,6 @@ class Parameters {
     std::vector<std::size_t> free_;
 };
 
-Vec3 normalOf(const PlaneModel& m, const PlaneModel::Normal& n) {
-    if (n.kind != PlaneModel::Normal::Kind::Turn) return n.first;
-    const double a = m.angles[at(n.angle)];
-    return std::cos(a) * n.first + std::sin(a) * n.second;
-}
-
 /// Axis that a normal is, with its sign; -1 where it is none.
 int axisOf(const Vec3& n) {
     for (int k = 0; k < 3; ++k) {
@@ -146,7 +140,7 @@ Shape shapeOf(const PlaneModel& m) {
     std::vector<Vec3> normals;
     std::vector<double> offsets;
     for (const PlaneModel::Face& f : m.faces) {
-        normals.push_back(normalOf(m, m.normals[at(f.normal)]));
+        normals.push_back(m.direction(m.normals[at(f.normal)]));
         offsets.push_back(m.offsets[at(f.offset)]);
     }
     for (const std::vector<int>& faces : m.vertexFaces) {
@@ -190,7 +184,7 @@ class Residuals {
             if (m.vertexFaces[v].size() < 4) continue;
             for (const int f : m.vertexFaces[v]) {
                 const PlaneModel::Face& face = m.faces[at(f)];
-                r.push_back(kPlanar * (normalOf(m, m.normals[at(face.normal)]).dot(shape.body[v]) -
+                r.push_back(kPlanar * (m.direction(m.normals[at(face.normal)]).dot(shape.body[v]) -
                                        m.offsets[at(face.offset)]));
             }
         }
@@ -290,9 +284,7 @@ class Regular {
         for (const std::vector<int>& loop : rough_.faces) addFace(loop);
         out_.vertexFaces.resize(rough_.vertices.size());
         for (std::size_t f = 0; f < rough_.faces.size(); ++f) {
-            for (const int v : rough_.faces[f]) {
-                out_.vertexFaces[at(v)].push_back(static_cast<int>(f));
-            }
+            for (const int v : rough_.faces[f]) addPlane(v, static_cast<int>(f));
         }
         return std::move(out_);
     }
@@ -310,15 +302,40 @@ class Regular {
         const Vec3 n = (out_.bodyToCamera.transpose() * area).normalized();
         PlaneModel::Face face;
         face.normal = normalFor(n, face.sense);
-        const Vec3 exact = normalOf(out_, out_.normals[at(face.normal)]);
-        face.offset = static_cast<int>(out_.offsets.size());
-        out_.offsets.push_back(exact.dot(out_.bodyToCamera.transpose() * (middle - out_.center)));
+        const Vec3 exact = out_.direction(out_.normals[at(face.normal)]);
+        const double offset = exact.dot(out_.bodyToCamera.transpose() * (middle - out_.center));
+        face.offset = offsetFor(face.normal, offset);
         out_.faces.push_back(face);
+    }
+
+    /// Faces that lie in one plane stay in one.
+    int offsetFor(int normal, double offset) {
+        constexpr double kSame = 1e-7;
+        for (const PlaneModel::Face& f : out_.faces) {
+            const double known = out_.offsets[at(f.offset)];
+            if (f.normal != normal || std::abs(known - offset) > kSame * (1.0 + std::abs(known))) {
+                continue;
+            }
+            return f.offset;
+        }
+        out_.offsets.push_back(offset);
+        return static_cast<int>(out_.offsets.size()) - 1;
+    }
+
+    /// A vertex lies on each plane once, however many faces of it meet there.
+    void addPlane(int vertex, int face) {
+        const PlaneModel::Face& f = out_.faces[at(face)];
+        std::vector<int>& faces = out_.vertexFaces[at(vertex)];
+        const bool known = std::any_of(faces.begin(), faces.end(), [&](int other) {
+            return out_.faces[at(other)].normal == f.normal &&
+                   out_.faces[at(other)].offset == f.offset;
+        });
+        if (!known) faces.push_back(face);
     }
 
     int normalFor(const Vec3& n, double& sense) {
         for (std::size_t i = 0; i < out_.normals.size(); ++i) {
-            const double c = normalOf(out_, out_.normals[i]).dot(n);
+            const double c = out_.direction(out_.normals[i]).dot(n);
             if (std::abs(c) < cosine_) continue;
             sense = c > 0 ? 1.0 : -1.0;
             return static_cast<int>(i);
@@ -377,6 +394,12 @@ class Regular {
 
 }  // namespace
 
+Vec3 PlaneModel::direction(const Normal& normal) const {
+    if (normal.kind != Normal::Kind::Turn) return normal.first;
+    const double a = angles[at(normal.angle)];
+    return std::cos(a) * normal.first + std::sin(a) * normal.second;
+}
+
 int PlaneModel::freedoms() const {
     int count = 3 + static_cast<int>(angles.size() + offsets.size());
     int fixed = 0;
@@ -424,7 +447,7 @@ void makeRegularRing(PlaneModel& model, const std::vector<int>& sides) {
     std::vector<Vec3> outward;
     for (const int f : sides) {
         const PlaneModel::Face& face = model.faces[at(f)];
-        outward.push_back(face.sense * normalOf(model, model.normals[at(face.normal)]));
+        outward.push_back(face.sense * model.direction(model.normals[at(face.normal)]));
         offset += face.sense * model.offsets[at(face.offset)] / n;
         slope += std::asin(std::clamp(outward.back().z(), -1.0, 1.0)) / n;
     }

@@ -38,6 +38,8 @@ struct PlaneModel {
     Mat3 bodyToCamera = Mat3::Identity();
     Vec3 center = Vec3::Zero();  ///< camera space [px]; its depth means nothing
 
+    /// Unit, in the body's frame.
+    Vec3 direction(const Normal& normal) const;
     /// Numbers that its picture can still be changed by.
     int freedoms() const;
 };

@@ -86,6 +86,20 @@ inline constexpr double kFaintCorner = 2.5;
 /// Price of a direction of faces that is across no axis of a solid, besides its freedom.
 inline constexpr double kSlantedFacesCost = 6.0;
 
+/// A reading by one template whose picture contradicts more than this share of the ink is not taken
+/// by itself, nor is one that leaves more than kMostDetail of it inside faces where all of the
+/// drawing is a solid.
+inline constexpr double kMostContradiction = 0.05;
+inline constexpr double kMostDetail = 0.02;
+
+/// What is hidden is completed the simplest way. Price of a plane that closes a solid behind what
+/// is seen: parallel to a seen face or across an axis, the mirror image of a seen face, any other;
+/// and of a corner that is not seen.
+inline constexpr double kParallelPlaneCost = 3.0;
+inline constexpr double kMirrorPlaneCost = 4.0;
+inline constexpr double kNewPlaneCost = 12.0;
+inline constexpr double kUnseenCornerCost = 3.0;
+
 /// Solids of one topology whose volumes differ by less are one to a person.
 inline constexpr double kSameVolume = 0.1;
 
