@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "core/base/words.h"
 #include "core/edge_graph/build.h"
@@ -43,18 +44,33 @@ bool foundNothing(const Interpretation& reading) {
     return best.missingEdges > 0 || best.extraEdges > 0 || !best.unusedStrokes.empty();
 }
 
-/// The picture of what was taken against the drawing; nothing where the view is no parallel
-/// projection.
-std::optional<PictureEvidence> pictureOf(const InkReading& ink, const Interpretation& reading,
-                                         const InterpretOptions& options) {
+/// What speaks against a template that was taken.
+struct Doubt {
+    bool contradicted = false;  ///< its picture is not the drawing
+    bool detailed = false;      ///< lines are left inside its faces
+    bool poor = false;          ///< its corners lie farther off than this hand's lines do, or it
+                                ///< has edges more or fewer than were drawn
+    bool any() const { return contradicted || detailed || poor; }
+};
+
+/// Views that are no parallel projection are not to be compared.
+Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
+              const InterpretOptions& options) {
+    Doubt doubt;
     const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
-    if (c.depth != DepthRule::Orthographic) return std::nullopt;
+    if (c.depth != DepthRule::Orthographic) return doubt;
     const auto solid = Solid::fromSpec(c.spec);
-    if (!solid) return std::nullopt;
+    if (!solid) return doubt;
     const double noise = std::max(drawingNoisePx(reading.graph), handNoisePx(ink));
     const double near = std::min(options.thresholds.distancePx,
                                  params::kLeastBesidePx + 3.0 * noise + 2.0 * c.residualPx);
-    return pictureEvidence(ink, *solid, c.pose, options.camera, near);
+    const PictureEvidence picture = pictureEvidence(ink, *solid, c.pose, options.camera, near);
+    doubt.contradicted = picture.contradiction() > params::kMostContradiction;
+    // Lines inside a face may be a window that was drawn on it, or a part of the solid.
+    doubt.detailed = picture.detailPx > params::kMostDetail * picture.inkPx;
+    doubt.poor = c.missingEdges > 0 || c.extraEdges > 0 ||
+                 c.residualPx > params::kPoorFitNoises * noise + params::kPoorFitPx;
+    return doubt;
 }
 
 /// What was taken becomes a question.
@@ -93,6 +109,13 @@ void offerToo(WholeReading whole, Interpretation& reading) {
     }
 }
 
+/// Is the solid that explains the drawing as a whole what was taken, or merely less regular?
+bool isAlike(const Candidate& taken, const Candidate& whole, const Doubt& doubt) {
+    if (taken.templateId == whole.templateId) return true;
+    return !doubt.contradicted && taken.spec.vertices.size() == whole.spec.vertices.size() &&
+           taken.spec.faces.size() == whole.spec.faces.size();
+}
+
 /// One template, or the drawing as a whole. What has more lines than any template shows is read as
 /// a whole first, and taken so where that explains next to all of them: looking for what may be
 /// wrong with it takes long.
@@ -110,27 +133,20 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     }
     Interpretation out = readFreeDrawing(ink, library, options);
     if (!any) return out;
-    bool doubtful = foundNothing(out);
-    bool leavesDetail = false;
-    bool contradicted = false;
-    if (const auto picture = out.accepted ? pictureOf(ink, out, options) : std::nullopt) {
-        contradicted = picture->contradiction() > params::kMostContradiction;
-        // Lines inside a face may be a window that was drawn on it, or a part of the solid.
-        leavesDetail = picture->detailPx > params::kMostDetail * picture->inkPx;
-        doubtful = contradicted || leavesDetail;
-        if (contradicted) askInstead(out);
-    }
-    if (!doubtful) return out;
+    const Doubt doubt = out.accepted ? doubtOf(ink, out, options) : Doubt{};
+    if (!doubt.any() && !foundNothing(out)) return out;
+    std::optional<Candidate> taken;
+    if (out.accepted) taken = out.candidates[static_cast<std::size_t>(*out.accepted)];
+    if (doubt.contradicted) askInstead(out);
     if (!whole) whole = readWholeDrawing(ink, library, options);
-    const bool same = out.accepted && !whole->candidates.empty() &&
-                      whole->candidates.front().templateId ==
-                          out.candidates[static_cast<std::size_t>(*out.accepted)].templateId;
-    if (same) return out;
-    // Lines inside faces are a part of the solid only where that explains next to all of them.
-    const bool detailed = out.accepted && leavesDetail && !contradicted;
-    const bool explains = !detailed || whole->residue <= params::kMostDetail;
+    if (whole->candidates.empty()) return out;
+    if (taken && isAlike(*taken, whole->candidates.front(), doubt)) return out;
+    // What was taken gives way only to what explains next to all of the lines.
+    const bool explains = !taken || whole->residue <= params::kMostDetail;
     if (whole->clear && explains) return wholeOf(*std::move(whole));
-    if (detailed && explains) offerToo(*std::move(whole), out);
+    if (!taken || !explains) return out;
+    if (doubt.poor) askInstead(out);
+    offerToo(*std::move(whole), out);
     return out;
 }
 

@@ -358,6 +358,31 @@ bool showsItsParts(const Solid& solid, const OrthographicCamera& camera) {
     return std::all_of(seen.begin(), seen.end(), [](const auto& part) { return part.second; });
 }
 
+/// Is something seen of every face that looks at the eye? Behind others there may be anything.
+bool showsItsFaces(const Solid& solid, const OrthographicCamera& camera) {
+    const auto view = SolidView::make(solid, Pose{}, camera);
+    std::vector<bool> seen(solid.faces().size(), false);
+    for (const SolidTriangle& t : solid.triangles()) {
+        // Points of a grid within the triangle.
+        constexpr int kSteps = 8;
+        for (int i = 1; i < kSteps && !seen[at(t.face)]; ++i) {
+            for (int j = 1; i + j < kSteps; ++j) {
+                const double u = static_cast<double>(i) / kSteps;
+                const double v = static_cast<double>(j) / kSteps;
+                const Vec2 p = (1.0 - u - v) * view->points()[at(t.vertices[0])] +
+                               u * view->points()[at(t.vertices[1])] +
+                               v * view->points()[at(t.vertices[2])];
+                const auto pick = view->pick(p);
+                if (pick && pick->face == t.face) seen[at(t.face)] = true;
+            }
+        }
+    }
+    for (std::size_t f = 0; f < seen.size(); ++f) {
+        if (view->facing(static_cast<int>(f)) == Facing::Front && !seen[f]) return false;
+    }
+    return true;
+}
+
 /// Does the outline of every face that looks at the eye turn at each of its corners by more than
 /// what passes for straight?
 bool showsItsCorners(const Solid& solid, const OrthographicCamera& camera) {
@@ -482,7 +507,8 @@ WholeCase randomWholeCase(const std::string& kind, Random& random) {
             camera.center = camera.unproject(middle);
             WholeCase drawn = wholeCase(shape, camera);
             drawn.tellsVolume = whole.tellsVolume;
-            const bool told = showsItsParts(shape, camera) && showsItsCorners(shape, camera);
+            const bool told = showsItsParts(shape, camera) && showsItsFaces(shape, camera) &&
+                              showsItsCorners(shape, camera);
             if (told && isReadable(drawn)) return drawn;
         }
     }

@@ -248,6 +248,7 @@ std::vector<ShapeHypothesis> polyhedronProposals(const LineDrawing& drawing, con
     const auto lift = liftFaces(drawing, frame, spreadPx);
     if (!lift) return out;
     const SolidPlanes planes = solidPlanes(drawing, frame, *lift, spreadPx);
+    int lifts = 0;
     for (const auto& [shifts, less] : partDepths(drawing, *lift, planes, spreadPx)) {
         SolidPlanes moved = planes;
         FaceLift deep = *lift;
@@ -258,9 +259,11 @@ std::vector<ShapeHypothesis> polyhedronProposals(const LineDrawing& drawing, con
             deep.faces[r].offset += shifts[at(deep.part[r])] * deep.faces[r].normal.z();
         }
         for (ShapeHypothesis& h : Completion(drawing, frame, deep, spreadPx).run(moved)) {
+            h.lift = lifts;
             h.price = params::kFreedomCost * less;
             out.push_back(std::move(h));
         }
+        ++lifts;
     }
     return out;
 }

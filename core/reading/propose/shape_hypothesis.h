@@ -18,7 +18,8 @@ struct ShapeHypothesis {
     Mat3 frame = Mat3::Identity();  ///< body to camera
     std::vector<int> node;          ///< per vertex: node of the drawing, -1 where it is not seen
     std::vector<DrawnStretch> stretches;  ///< lines that end behind something
-    double price = 0.0;                   ///< of what it takes for granted, twice a log-likelihood
+    int lift = -1;  ///< proposals of one number show the same faces and close them in other ways
+    double price = 0.0;     ///< of what it takes for granted, twice a log-likelihood
     std::vector<int> ring;  ///< faces round the third axis, where they may be a regular
                             ///< polygon's sides
 };

@@ -36,6 +36,7 @@ struct Solved {
     bool known = false;    ///< is a template of the library
     bool guessed = false;  ///< a hole ends where nothing of it is seen
     bool faint = false;    ///< some corner of a seen face turns by no more than this hand errs
+    int lift = -1;         ///< those of one number differ in what is not seen alone; -1: none
     std::shared_ptr<const EdgeGraph> graph;
 };
 
@@ -139,12 +140,14 @@ class WholeReader {
         }
         std::vector<double> spreads{spread_};
         // An exact drawing tells planes apart that a hand would draw as one.
-        constexpr double kExactSpreadPx = 0.03;
+        constexpr double kExactSpreadPx = 0.005;
         if (noise_ <= params::kExactPx) spreads.insert(spreads.begin(), kExactSpreadPx);
         for (const double spread : spreads) {
             for (const AxisFrame& frame : axisFrames(drawing, spread, kMostFrames)) {
-                const bool explained =
-                    solveAll(polyhedronProposals(drawing, frame, spread), drawing, found);
+                const std::vector<ShapeHypothesis> proposals =
+                    polyhedronProposals(drawing, frame, spread);
+                const bool explained = solveAll(proposals, drawing, found);
+                if (!proposals.empty()) lifts_ += proposals.back().lift + 1;
                 // Slanted lines fit more than one frame.
                 if (explained && frame.share > kSureFrame) return found;
             }
@@ -297,8 +300,16 @@ class WholeReader {
         place(*f, h, c);
         auto solid = Solid::fromSpec(c.spec);
         if (!solid) return std::nullopt;
-        Solved out{std::move(c), {},    f->cost,        f->misfit, *std::move(solid),
-                   false,        false, isFaint(*f, h), nullptr};
+        Solved out{std::move(c),
+                   {},
+                   f->cost,
+                   f->misfit,
+                   *std::move(solid),
+                   false,
+                   false,
+                   isFaint(*f, h),
+                   h.lift < 0 ? -1 : lifts_ + h.lift,
+                   nullptr};
         // A careful hand's lines lie where the picture has them, but for what the fit itself
         // misses.
         const double missed = std::sqrt(f->misfit) * fitSpread_;
@@ -426,6 +437,11 @@ class WholeReader {
         found = std::move(kept);
     }
 
+    /// Do two readings differ in what is not seen alone?
+    static bool looksAlike(const Solved& a, const Solved& b) {
+        return a.lift == b.lift && a.lift >= 0;
+    }
+
     /// Does the first one explain the ink, and no other as well at much the same cost?
     bool isClear(const std::vector<Solved>& found) const {
         if (found.front().evidence.residue() > params::kWholeResidue) return false;
@@ -439,8 +455,10 @@ class WholeReader {
         }
         if (found.front().guessed) return false;
         return std::none_of(found.begin() + 1, found.end(), [&](const Solved& other) {
+            const double margin =
+                looksAlike(found.front(), other) ? params::kCompletionMargin : params::kWholeMargin;
             return other.evidence.residue() <= params::kOtherResidue &&
-                   other.cost < found.front().cost + params::kWholeMargin;
+                   other.cost < found.front().cost + margin;
         });
     }
 
@@ -448,6 +466,7 @@ class WholeReader {
     const TemplateLibrary& library_;
     const InterpretOptions& options_;
     int tried_ = 0;
+    int lifts_ = 0;  ///< numbers of ShapeHypothesis::lift of frames before
     double noise_ = 1.0;
     double corner_ = 2.0;
     double spread_ = 2.0;     ///< of drawn corners, per axis [px]

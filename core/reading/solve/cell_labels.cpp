@@ -71,17 +71,22 @@ std::vector<bool> leastSurface(const CellComplex& complex, const std::vector<Cel
 /// Makes what is not seen simpler.
 class Simpler {
   public:
-    Simpler(const CellComplex& complex, const std::vector<CellVotes>& votes) : complex_(complex) {
-        for (int c = 0; c < complex.cellCount(); ++c) {
-            if (votes[at(c)].unseen()) unseen_.push_back(c);
-        }
+    Simpler(const CellComplex& complex, const std::vector<CellVotes>& votes)
+        : complex_(complex),
+          edgesOf_(votes.size()),
+          neighbours_(votes.size()),
+          unseen_(votes.size()),
+          mark_(votes.size(), 0) {
+        for (std::size_t c = 0; c < votes.size(); ++c) unseen_[c] = votes[c].unseen();
         std::map<std::array<int, 2>, std::size_t> number;
         for (std::size_t f = 0; f < complex.facets().size(); ++f) {
             const CellComplex::Facet& facet = complex.facets()[f];
             if (facet.cells[0] < 0 || facet.cells[1] < 0) {
-                border_.push_back(std::max(facet.cells[0], facet.cells[1]));
+                unseen_[at(std::max(facet.cells[0], facet.cells[1]))] = false;  // outside
                 continue;
             }
+            neighbours_[at(facet.cells[0])].push_back(facet.cells[1]);
+            neighbours_[at(facet.cells[1])].push_back(facet.cells[0]);
             for (std::size_t k = 0; k < facet.loop.size(); ++k) {
                 const int v = facet.loop[k];
                 const int w = facet.loop[(k + 1) % facet.loop.size()];
@@ -89,29 +94,33 @@ class Simpler {
                     std::array<int, 2>{std::min(v, w), std::max(v, w)}, edges_.size());
                 if (isNew) {
                     edges_.push_back(
-                        {(complex.vertices()[at(v)] - complex.vertices()[at(w)]).norm(), {}});
+                        {(complex.vertices()[at(v)] - complex.vertices()[at(w)]).norm(), {}, 0});
                 }
                 edges_[it->second].facets.push_back(static_cast<int>(f));
             }
         }
-        std::sort(border_.begin(), border_.end());
-        const auto outside = [&](int c) {
-            return std::binary_search(border_.begin(), border_.end(), c);
-        };
-        unseen_.erase(std::remove_if(unseen_.begin(), unseen_.end(), outside), unseen_.end());
-    }
-
-    void improve(std::vector<bool>& solid) const {
-        constexpr int kRounds = 4;
-        double least = cost(solid);
-        for (int round = 0; round < kRounds; ++round) {
-            const double before = least;
-            for (std::size_t p = 0; p < complex_.planes().size(); ++p) {
-                for (const bool positive : {false, true}) {
-                    for (const bool label : {false, true}) tryAll(p, positive, label, solid, least);
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            for (const int f : edges_[e].facets) {
+                for (const int c : complex.facets()[at(f)].cells) {
+                    std::vector<std::size_t>& list = edgesOf_[at(c)];
+                    if (list.empty() || list.back() != e) list.push_back(e);
                 }
             }
-            if (least >= before) break;
+        }
+    }
+
+    void improve(std::vector<bool>& solid) {
+        constexpr int kRounds = 3;
+        bool better = true;
+        for (int round = 0; round < kRounds && better; ++round) {
+            better = false;
+            for (std::size_t p = 0; p < complex_.planes().size(); ++p) {
+                for (const bool positive : {false, true}) {
+                    for (const bool label : {false, true}) {
+                        better = tryAll(p, positive, label, solid) || better;
+                    }
+                }
+            }
         }
     }
 
@@ -119,51 +128,76 @@ class Simpler {
     struct Edge {
         double length = 0.0;
         std::vector<int> facets;
+        int mark = 0;
     };
 
-    /// Length of the edges at which the surface bends; four faces at an edge are no solid.
-    double cost(const std::vector<bool>& solid) const {
+    /// Length of an edge at which the surface bends; four faces at an edge are no solid.
+    double cost(const Edge& e, const std::vector<bool>& solid) const {
         constexpr double kNoSolid = 10.0;
+        int faces = 0;
+        int plane = -1;
+        bool bends = false;
+        for (const int f : e.facets) {
+            const CellComplex::Facet& facet = complex_.facets()[at(f)];
+            if (solid[at(facet.cells[0])] == solid[at(facet.cells[1])]) continue;
+            bends = bends || (faces > 0 && facet.plane != plane);
+            plane = facet.plane;
+            ++faces;
+        }
+        return (bends ? e.length : 0.0) + (faces > 2 ? kNoSolid * e.length : 0.0);
+    }
+
+    double cost(const std::vector<int>& cells, const std::vector<bool>& solid) {
+        ++stamp_;
         double sum = 0.0;
-        for (const Edge& e : edges_) {
-            int faces = 0;
-            int plane = -1;
-            bool bends = false;
-            for (const int f : e.facets) {
-                const CellComplex::Facet& facet = complex_.facets()[at(f)];
-                if (solid[at(facet.cells[0])] == solid[at(facet.cells[1])]) continue;
-                bends = bends || (faces > 0 && facet.plane != plane);
-                plane = facet.plane;
-                ++faces;
+        for (const int c : cells) {
+            for (const std::size_t e : edgesOf_[at(c)]) {
+                if (edges_[e].mark == stamp_) continue;
+                edges_[e].mark = stamp_;
+                sum += cost(edges_[e], solid);
             }
-            if (bends) sum += e.length;
-            if (faces > 2) sum += kNoSolid * e.length;
         }
         return sum;
     }
 
-    void tryAll(std::size_t plane, bool positive, bool label, std::vector<bool>& solid,
-                double& least) const {
-        std::vector<int> changed;
-        for (const int c : unseen_) {
-            if (complex_.isPositive(c, plane) == positive && solid[at(c)] != label) {
-                changed.push_back(c);
+    /// Each connected group of unseen cells on one side of a plane that is not labelled so.
+    bool tryAll(std::size_t plane, bool positive, bool label, std::vector<bool>& solid) {
+        const int visit = ++visits_;
+        const auto fits = [&](int c) {
+            return unseen_[at(c)] && mark_[at(c)] != visit && solid[at(c)] != label &&
+                   complex_.isPositive(c, plane) == positive;
+        };
+        bool better = false;
+        for (int c = 0; c < complex_.cellCount(); ++c) {
+            if (!fits(c)) continue;
+            std::vector<int> group{c};
+            mark_[at(c)] = visit;
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                for (const int n : neighbours_[at(group[i])]) {
+                    if (!fits(n)) continue;
+                    mark_[at(n)] = visit;
+                    group.push_back(n);
+                }
             }
+            const double before = cost(group, solid);
+            for (const int g : group) solid[at(g)] = label;
+            if (cost(group, solid) < before * (1.0 - 1e-9)) {
+                better = true;
+                continue;
+            }
+            for (const int g : group) solid[at(g)] = !label;
         }
-        if (changed.empty()) return;
-        for (const int c : changed) solid[at(c)] = label;
-        const double now = cost(solid);
-        if (now < least * (1.0 - 1e-9)) {
-            least = now;
-            return;
-        }
-        for (const int c : changed) solid[at(c)] = !label;
+        return better;
     }
 
     const CellComplex& complex_;
-    std::vector<int> unseen_;
-    std::vector<int> border_;  ///< cells at the border of the box
     std::vector<Edge> edges_;
+    std::vector<std::vector<std::size_t>> edgesOf_;  ///< per cell
+    std::vector<std::vector<int>> neighbours_;       ///< per cell
+    std::vector<bool> unseen_;                       ///< per cell: not seen, and not at the border
+    std::vector<int> mark_;
+    int visits_ = 0;
+    int stamp_ = 0;
 };
 
 }  // namespace
@@ -174,7 +208,7 @@ std::vector<std::vector<bool>> cellLabels(const CellComplex& complex,
     const auto add = [&](const std::vector<bool>& solid) {
         if (std::find(out.begin(), out.end(), solid) == out.end()) out.push_back(solid);
     };
-    const Simpler simpler(complex, votes);
+    Simpler simpler(complex, votes);
     for (const double filling : {0.0, 0.1, 0.3, 1.0}) {
         std::vector<bool> solid = leastSurface(complex, votes, filling);
         add(solid);

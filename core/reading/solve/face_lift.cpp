@@ -26,26 +26,9 @@ class Lifting {
         if (drawing_.regions.empty()) return std::nullopt;
         findOwners();
         findAxes();
-        auto best = lifted();
-        // Lines of what hides a face border it, too, and may point to another axis. The axes are
-        // right where most lines are edges of both their faces.
-        for (bool better = true; better && best;) {
-            better = false;
-            for (std::size_t r = 0; r < choices_.size(); ++r) {
-                for (const int axis : choices_[r]) {
-                    const int before = axis_[r];
-                    if (axis == before) continue;
-                    axis_[r] = axis;
-                    auto other = lifted();
-                    if (other && sharedPx(*other) > sharedPx(*best) + spread_) {
-                        best = std::move(other);
-                        better = true;
-                    } else {
-                        axis_[r] = before;
-                    }
-                }
-            }
-        }
+        auto best = bestAxes();
+        // With every line an edge of both faces, slanted ones may lie flat in the face behind them.
+        if (best && isFlat(*best) && standUp()) best = bestAxes();
         return best;
     }
 
@@ -83,6 +66,57 @@ class Lifting {
                 if (owner < 0) owner = opposite;
             }
         }
+    }
+
+    /// Lines of what hides a face border it, too, and may point to another axis. The axes are right
+    /// where most lines are edges of both their faces.
+    std::optional<FaceLift> bestAxes() {
+        auto best = lifted();
+        for (bool better = true; better && best;) {
+            better = false;
+            for (std::size_t r = 0; r < choices_.size(); ++r) {
+                for (const int axis : choices_[r]) {
+                    const int before = axis_[r];
+                    if (axis == before) continue;
+                    axis_[r] = axis;
+                    auto other = lifted();
+                    if (other && sharedPx(*other) > sharedPx(*best) + spread_) {
+                        best = std::move(other);
+                        better = true;
+                    } else {
+                        axis_[r] = before;
+                    }
+                }
+            }
+        }
+        return best;
+    }
+
+    /// Does some slanted face lie in the plane of a neighbour?
+    bool isFlat(const FaceLift& lift) const {
+        constexpr double kFlatCosine = 0.9998;  // 1 degree
+        for (std::size_t e = 0; e < owner_.size(); ++e) {
+            const int a = drawing_.left[2 * e];
+            const int b = drawing_.left[2 * e + 1];
+            if (a < 0 || b < 0 || a == b || (axis_[at(a)] >= 0 && axis_[at(b)] >= 0)) continue;
+            if (lift.faces[at(a)].normal.dot(lift.faces[at(b)].normal) > kFlatCosine) return true;
+        }
+        return false;
+    }
+
+    /// Slanted lines between a slanted face and one across an axis are edges of the first alone.
+    /// \return whether there are any.
+    bool standUp() {
+        bool any = false;
+        for (std::size_t e = 0; e < owner_.size(); ++e) {
+            const int a = drawing_.left[2 * e];
+            const int b = drawing_.left[2 * e + 1];
+            if (a < 0 || b < 0 || owner_[e] >= 0 || frame_.axisOf[e] >= 0) continue;
+            if ((axis_[at(a)] < 0) == (axis_[at(b)] < 0)) continue;
+            owner_[e] = axis_[at(a)] < 0 ? a : b;
+            any = true;
+        }
+        return any;
     }
 
     std::optional<FaceLift> lifted() {

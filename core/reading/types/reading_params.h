@@ -76,6 +76,8 @@ inline constexpr double kStrayCost = 6.0;
 inline constexpr double kWholeResidue = 0.08;
 inline constexpr double kOtherResidue = 0.12;
 inline constexpr double kWholeMargin = 8.0;
+/// ... or kCompletionMargin, where the two differ in what is not seen alone: the simplest is meant.
+inline constexpr double kCompletionMargin = 2.0;
 /// ... and its corners are no farther from where they were drawn than this many variances.
 inline constexpr double kWholeMisfit = 2.5;
 
@@ -91,13 +93,17 @@ inline constexpr double kSlantedFacesCost = 6.0;
 /// drawing is a solid.
 inline constexpr double kMostContradiction = 0.05;
 inline constexpr double kMostDetail = 0.02;
+/// ... nor one whose corners are farther from where they were drawn than this, where another solid
+/// explains the drawing [times the noise of its lines, and px].
+inline constexpr double kPoorFitNoises = 2.0;
+inline constexpr double kPoorFitPx = 1.5;
 
 /// What is hidden is completed the simplest way. Price of a plane that closes a solid behind what
 /// is seen: parallel to a seen face or across an axis, the mirror image of a seen face, any other;
 /// and of a corner that is not seen.
 inline constexpr double kParallelPlaneCost = 3.0;
 inline constexpr double kMirrorPlaneCost = 4.0;
-inline constexpr double kNewPlaneCost = 12.0;
+inline constexpr double kNewPlaneCost = 20.0;
 inline constexpr double kUnseenCornerCost = 3.0;
 
 /// Solids of one topology whose volumes differ by less are one to a person.
