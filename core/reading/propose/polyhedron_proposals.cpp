@@ -228,7 +228,7 @@ class Completion {
     static constexpr std::size_t kMostKept = 3;
     static constexpr double kMostCorners = 0.75;  ///< share of the drawing's corners
     static constexpr double kOnePlane = 3.0;      ///< planes no farther apart are one [spreads]
-    static constexpr double kOnPlane = 0.3;       ///< corners so near a plane are on it [spreads]
+    static constexpr double kOnPlane = 1.0;       ///< corners so near a plane are on it [spreads]
     static constexpr double kNearCorner = 6.0;    ///< [spreads]
 
     const LineDrawing& drawing_;
