@@ -1385,6 +1385,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         </translation>
     </message>
     <message>
+        <source>drawing as a whole</source>
+        <translation>Zeichnung im Ganzen</translation>
+    </message>
+    <message>
         <source>%1, fit %2 %, off by %3 px</source>
         <translation>%1, Passung %2 %, ±%3 px</translation>
     </message>

@@ -29,6 +29,11 @@ constexpr const char* kNames[] = {
 
 /// A shape's name is small in an English sentence and translated by its name as it stands alone.
 QString shownPart(const QString& part) {
+    const QString several = QStringLiteral(" solids");
+    if (part.endsWith(several)) {
+        QString shown = QCoreApplication::translate("Core", "%1 solids");
+        return shown.replace(QStringLiteral("%1"), part.chopped(several.size()));
+    }
     const QString alone = part.left(1).toUpper() + part.mid(1);
     const QString translated = QCoreApplication::translate("Core", alone.toUtf8().constData());
     return translated == alone ? part : translated;

@@ -95,19 +95,20 @@ TEST(FaceLift, FacesLieAsDeepAsTheyDo) {
     const Drawn d = drawn(blockWithBoss());
     ASSERT_EQ(d.lines.regions.size(), 6U);
     const AxisFrame frame = axisFrames(d.lines, 0.1, 1).front();
-    const auto lift = liftFaces(d.lines, frame, 0.1);
-    ASSERT_TRUE(lift);
-    EXPECT_EQ(lift->parts, 1);  // the boss stands on the block: edges that are seen join them
-    EXPECT_LT(lift->worstPx, 0.1);
+    const auto lifts = liftFaces(d.lines, frame, 0.1);
+    ASSERT_FALSE(lifts.empty());
+    const FaceLift& lift = lifts.front();
+    EXPECT_EQ(lift.parts, 1);  // the boss stands on the block: edges that are seen join them
+    EXPECT_LT(lift.worstPx, 0.1);
     // Depths between corners of one face are those of the solid.
     const Mat3 toCamera = d.drawing.camera.cameraToWorld().transpose();
-    for (std::size_t r = 0; r < lift->faces.size(); ++r) {
+    for (std::size_t r = 0; r < lift.faces.size(); ++r) {
         double best = 0.0;
         for (int k = 0; k < 3; ++k) {
-            best = std::max(best, std::abs(toCamera.col(k).dot(lift->faces[r].normal)));
+            best = std::max(best, std::abs(toCamera.col(k).dot(lift.faces[r].normal)));
         }
         EXPECT_GT(best, 0.99999);
-        EXPECT_LT(lift->faces[r].normal.z(), 0.0);
+        EXPECT_LT(lift.faces[r].normal.z(), 0.0);
     }
 }
 
@@ -119,16 +120,17 @@ TEST(FaceLift, WhatIsHiddenBehindABarIsNotJoined) {
               Vec3(-0.6, 1.0, -0.35));
     const auto frames = axisFrames(d.lines, 0.5, 1);
     ASSERT_FALSE(frames.empty());
-    const auto lift = liftFaces(d.lines, frames.front(), 0.5);
-    ASSERT_TRUE(lift);
-    for (std::size_t e = 0; e < lift->lines.size(); ++e) {
+    const auto lifts = liftFaces(d.lines, frames.front(), 0.5);
+    ASSERT_FALSE(lifts.empty());
+    const FaceLift& lift = lifts.front();
+    for (std::size_t e = 0; e < lift.lines.size(); ++e) {
         const int a = d.lines.left[2 * e];
         const int b = d.lines.left[2 * e + 1];
         if (a >= 0 && b >= 0) continue;
-        EXPECT_FALSE(lift->lines[e].shared);  // the outline has one face only
-        EXPECT_EQ(lift->lines[e].front, std::max(a, b));
+        EXPECT_FALSE(lift.lines[e].shared);  // the outline has one face only
+        EXPECT_EQ(lift.lines[e].front, std::max(a, b));
     }
-    EXPECT_GE(lift->parts, 1);
+    EXPECT_GE(lift.parts, 1);
 }
 
 TEST(LineDrawing, AnIslandIsAHoleOfTheRegionRoundIt) {
@@ -163,9 +165,10 @@ TEST(JoinedParts, IsTheInverseOfConnectedParts) {
 TEST(ClosingPlanes, ABoxIsClosedByThreePlanesBehind) {
     const Drawn d = drawn(boxOf({0, 0, 0}, {100, 80, 60}));
     const AxisFrame frame = axisFrames(d.lines, 0.5, 1).front();
-    const auto lift = liftFaces(d.lines, frame, 0.5);
-    ASSERT_TRUE(lift);
-    const SolidPlanes found = solidPlanes(d.lines, frame, *lift, 0.5);
+    const auto lifts = liftFaces(d.lines, frame, 0.5);
+    ASSERT_FALSE(lifts.empty());
+    const FaceLift& lift = lifts.front();
+    const SolidPlanes found = solidPlanes(d.lines, frame, lift, 0.5);
     EXPECT_EQ(found.directions.size(), 3U);
     std::vector<std::pair<int, int>> behind;  // direction and rounded offset
     for (const SolidPlane& p : found.planes) {
@@ -180,11 +183,12 @@ TEST(PartDepths, TwoBoxesStandOnOneGround) {
     const Drawn d =
         drawn(joined(boxOf({0, 0, 0}, {40, 40, 40}), boxOf({70, -10, 0}, {110, 30, 30})));
     const AxisFrame frame = axisFrames(d.lines, 0.5, 1).front();
-    const auto lift = liftFaces(d.lines, frame, 0.5);
-    ASSERT_TRUE(lift);
-    ASSERT_EQ(lift->parts, 2);
-    const SolidPlanes planes = solidPlanes(d.lines, frame, *lift, 0.5);
-    const auto depths = partDepths(d.lines, *lift, planes, 0.5);
+    const auto lifts = liftFaces(d.lines, frame, 0.5);
+    ASSERT_FALSE(lifts.empty());
+    const FaceLift& lift = lifts.front();
+    ASSERT_EQ(lift.parts, 2);
+    const SolidPlanes planes = solidPlanes(d.lines, frame, lift, 0.5);
+    const auto depths = partDepths(d.lines, lift, planes, 0.5);
     ASSERT_FALSE(depths.empty());
     EXPECT_DOUBLE_EQ(depths.front().less, 0.0);
     for (const PartDepths& depth : depths) {

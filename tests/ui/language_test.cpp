@@ -11,9 +11,11 @@
 #include <QUndoStack>
 #include <set>
 
+#include "core/document/step_names.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/app_setup.h"
 #include "ui/core_text.h"
+#include "ui/panels/graph_panel.h"
 
 namespace ew::test {
 namespace {
@@ -83,6 +85,12 @@ TEST_F(German, TheHistoryOfADocumentFromAnEnglishWindowIsGerman) {
     EXPECT_EQ(english.undoStack().text(0), "Create cube");
     EXPECT_EQ(english.undoStack().text(4), "Define template “Hat stand”");
     ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
+}
+
+TEST_F(German, SeveralSolidsOfOneDrawingAreCounted) {
+    EXPECT_EQ(shownStepName("Create 2 solids").toStdString(), "2 Körper erzeugen");
+    EXPECT_EQ(coreText("2 solids").toStdString(), "2 Körper");
+    EXPECT_EQ(aspectText("region").toStdString(), "Zeichnung im Ganzen");
 }
 
 TEST_F(German, ExamplesOpenFromTheMenuByTheirGermanTitles) {

@@ -26,6 +26,7 @@ QString aspectText(const std::string& aspect) {
         const int faces = text.mid(9).toInt(&ok);
         if (ok) return GraphPanel::tr("%n face(s) seen", nullptr, faces);
     }
+    if (text == QLatin1String("region")) return GraphPanel::tr("drawing as a whole");
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "core/reading/extract/axis_frames.h"
@@ -24,9 +25,33 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Completion {
   public:
+    /// \param onePlane  planes no farther apart are one [spreads].
     Completion(const LineDrawing& drawing, const AxisFrame& frame, const FaceLift& lift,
-               double spread)
-        : drawing_(drawing), frame_(frame), lift_(lift), spread_(spread) {}
+               double spread, double onePlane)
+        : drawing_(drawing), frame_(frame), lift_(lift), spread_(spread), onePlane_(onePlane) {}
+
+    /// Planes that lie together are one, those of two faces with a step between them not.
+    std::vector<std::vector<int>> onePlanes(const SolidPlanes& planes) const {
+        std::vector<int> order(planes.planes.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto plane = [&](int i) -> const SolidPlane& { return planes.planes[at(i)]; };
+        std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+            if (plane(a).direction != plane(b).direction) {
+                return plane(a).direction < plane(b).direction;
+            }
+            return plane(a).offset < plane(b).offset;
+        });
+        std::vector<std::vector<int>> groups;
+        for (const int i : order) {
+            const bool same =
+                !groups.empty() && plane(i).direction == plane(groups.back().front()).direction &&
+                plane(i).offset - plane(groups.back().back()).offset < onePlane_ * spread_ &&
+                !steps(planes, groups.back(), i);
+            if (!same) groups.emplace_back();
+            groups.back().push_back(i);
+        }
+        return groups;
+    }
 
     std::vector<ShapeHypothesis> run(const SolidPlanes& planes) {
         std::vector<ShapeHypothesis> out;
@@ -50,33 +75,12 @@ class Completion {
     }
 
   private:
-    /// Planes that lie together are one, those of two faces with a step between them not.
     bool cut(const SolidPlanes& planes) {
-        std::vector<int> order(planes.planes.size());
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-        const auto plane = [&](int i) -> const SolidPlane& { return planes.planes[at(i)]; };
-        std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-            if (plane(a).direction != plane(b).direction) {
-                return plane(a).direction < plane(b).direction;
-            }
-            return plane(a).offset < plane(b).offset;
-        });
         planeOf_.assign(drawing_.regions.size(), -1);
         begin();
-        std::vector<int> group;
-        for (std::size_t i = 0; i <= order.size(); ++i) {
-            const bool more =
-                i < order.size() && !group.empty() &&
-                plane(order[i]).direction == plane(group.front()).direction &&
-                plane(order[i]).offset - plane(group.back()).offset < kOnePlane * spread_ &&
-                !steps(planes, group, order[i]);
-            if (!more && !group.empty()) {
-                if (!cutOne(planes, group)) return false;
-                group.clear();
-            }
-            if (i < order.size()) group.push_back(order[i]);
-        }
-        return true;
+        const auto groups = onePlanes(planes);
+        return std::all_of(groups.begin(), groups.end(),
+                           [&](const std::vector<int>& group) { return cutOne(planes, group); });
     }
 
     /// Is there a step between a face of a group and another one?
@@ -227,7 +231,6 @@ class Completion {
 
     static constexpr std::size_t kMostKept = 3;
     static constexpr double kMostCorners = 0.75;  ///< share of the drawing's corners
-    static constexpr double kOnePlane = 3.0;      ///< planes no farther apart are one [spreads]
     static constexpr double kOnPlane = 1.0;       ///< corners so near a plane are on it [spreads]
     static constexpr double kNearCorner = 6.0;    ///< [spreads]
 
@@ -235,6 +238,7 @@ class Completion {
     const AxisFrame& frame_;
     const FaceLift& lift_;
     double spread_;
+    double onePlane_;
     double size_ = 1.0;
     std::optional<CellComplex> complex_;
     std::vector<int> planeOf_;
@@ -245,25 +249,36 @@ class Completion {
 std::vector<ShapeHypothesis> polyhedronProposals(const LineDrawing& drawing, const AxisFrame& frame,
                                                  double spreadPx) {
     std::vector<ShapeHypothesis> out;
-    const auto lift = liftFaces(drawing, frame, spreadPx);
-    if (!lift) return out;
-    const SolidPlanes planes = solidPlanes(drawing, frame, *lift, spreadPx);
     int lifts = 0;
-    for (const auto& [shifts, less] : partDepths(drawing, *lift, planes, spreadPx)) {
-        SolidPlanes moved = planes;
-        FaceLift deep = *lift;
-        for (SolidPlane& p : moved.planes) {
-            p.offset += shifts[at(p.part)] * moved.directions[at(p.direction)].z();
+    // Lines that show no solid fall into many parts.
+    constexpr int kMostParts = 8;
+    for (const FaceLift& lift : liftFaces(drawing, frame, spreadPx)) {
+        if (lift.parts > kMostParts) continue;
+        const SolidPlanes planes = solidPlanes(drawing, frame, lift, spreadPx);
+        for (const auto& [shifts, less] : partDepths(drawing, lift, planes, spreadPx)) {
+            SolidPlanes moved = planes;
+            FaceLift deep = lift;
+            for (SolidPlane& p : moved.planes) {
+                p.offset += shifts[at(p.part)] * moved.directions[at(p.direction)].z();
+            }
+            for (std::size_t r = 0; r < deep.faces.size(); ++r) {
+                deep.faces[r].offset += shifts[at(deep.part[r])] * deep.faces[r].normal.z();
+            }
+            // What hangs on an attitude that is a little off lies farther apart.
+            std::size_t before = 0;
+            for (const double onePlane : {3.0, 6.0}) {
+                Completion completion(drawing, frame, deep, spreadPx, onePlane);
+                const std::size_t count = completion.onePlanes(moved).size();
+                if (count == before) break;
+                before = count;
+                for (ShapeHypothesis& h : completion.run(moved)) {
+                    h.lift = lifts;
+                    h.price = params::kFreedomCost * less;
+                    out.push_back(std::move(h));
+                }
+            }
+            ++lifts;
         }
-        for (std::size_t r = 0; r < deep.faces.size(); ++r) {
-            deep.faces[r].offset += shifts[at(deep.part[r])] * deep.faces[r].normal.z();
-        }
-        for (ShapeHypothesis& h : Completion(drawing, frame, deep, spreadPx).run(moved)) {
-            h.lift = lifts;
-            h.price = params::kFreedomCost * less;
-            out.push_back(std::move(h));
-        }
-        ++lifts;
     }
     return out;
 }

@@ -18,6 +18,7 @@
 #include "core/reading/propose/pyramid_proposals.h"
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/picture_evidence.h"
+#include "core/reading/score/planes_price.h"
 #include "core/reading/types/reading_params.h"
 #include "core/tlib/library_index.h"
 
@@ -72,7 +73,9 @@ class WholeReader {
     static constexpr std::size_t kManyLines = 16;
     static constexpr int kMostTried = 60;  ///< proposals of all graphs
     static constexpr std::size_t kMostFrames = 6;
-    static constexpr double kSureFrame = 0.9;  ///< share of the lines along an axis
+    static constexpr int kMostFramesTried = 16;  ///< of all graphs
+    static constexpr double kSureFrame = 0.9;    ///< share of the lines along an axis
+    static constexpr double kLikelyFrame = 0.7;  ///< that share, as one of the likeliest frame's
     static constexpr double kLeastSnapDeg = 0.5;
     /// What fits no better than this, in variances, is not worth the work.
     static constexpr double kHopeless = 10.0;
@@ -143,7 +146,10 @@ class WholeReader {
         constexpr double kExactSpreadPx = 0.005;
         if (noise_ <= params::kExactPx) spreads.insert(spreads.begin(), kExactSpreadPx);
         for (const double spread : spreads) {
-            for (const AxisFrame& frame : axisFrames(drawing, spread, kMostFrames)) {
+            const std::vector<AxisFrame> frames = axisFrames(drawing, spread, kMostFrames);
+            for (const AxisFrame& frame : frames) {
+                if (frame.share < kLikelyFrame * frames.front().share) continue;
+                if (framesTried_++ == kMostFramesTried) return found;
                 const std::vector<ShapeHypothesis> proposals =
                     polyhedronProposals(drawing, frame, spread);
                 const bool explained = solveAll(proposals, drawing, found);
@@ -210,6 +216,10 @@ class WholeReader {
         return std::max(2.0 * *least, 0.5 * params::kExactPx);
     }
 
+    /// Was it closed behind what is seen? What is hidden of a prism or a pyramid follows from its
+    /// base.
+    static bool isClosed(const ShapeHypothesis& h) { return h.lift >= 0; }
+
     /// The model that costs least, its freedoms counted, of more and less regular ones.
     std::optional<PlaneFit> fit(const ShapeHypothesis& h, const LineDrawing& drawing) const {
         std::optional<PlaneFit> best;
@@ -228,53 +238,12 @@ class WholeReader {
                 const int freedoms = model.freedoms();
                 auto f = fitPlanes(std::move(model), vertices, lines);
                 if (!f) continue;
-                f->cost += params::kFreedomCost * freedoms + hiddenCost(f->model);
+                f->cost += params::kFreedomCost * freedoms +
+                           (isClosed(h) ? planesPrice(f->model) : slantsPrice(f->model));
                 if (!best || f->cost < best->cost) best = std::move(f);
             }
         }
         return best;
-    }
-
-    /// Price of the planes that only faces which look away have: parallel to a seen face, its
-    /// mirror image, or another direction. A freedom that only they have is none of the drawing's.
-    static double hiddenCost(const PlaneModel& model) {
-        std::vector<bool> offset(model.offsets.size(), false);
-        std::vector<bool> normal(model.normals.size(), false);
-        std::vector<bool> angle(model.angles.size(), false);
-        const auto looksHere = [&](const PlaneModel::Face& f) {
-            const PlaneModel::Normal& n = model.normals[at(f.normal)];
-            return f.sense * (model.bodyToCamera * model.direction(n)).z() < 0.0;
-        };
-        double cost = 0.0;
-        for (const PlaneModel::Face& f : model.faces) {
-            if (!looksHere(f)) continue;
-            offset[at(f.offset)] = true;
-            normal[at(f.normal)] = true;
-            const int a = model.normals[at(f.normal)].angle;
-            if (a >= 0) angle[at(a)] = true;
-        }
-        using Kind = PlaneModel::Normal::Kind;
-        for (std::size_t k = 0; k < model.normals.size(); ++k) {
-            const PlaneModel::Normal& n = model.normals[k];
-            if (n.kind == Kind::Free) {
-                cost += params::kSlantedFacesCost;
-                if (!normal[k]) cost -= 2.0 * params::kFreedomCost;
-            }
-        }
-        for (const bool seen : angle) {
-            cost += params::kSlantedFacesCost - (seen ? 0.0 : params::kFreedomCost);
-        }
-        for (const PlaneModel::Face& f : model.faces) {
-            if (offset[at(f.offset)]) continue;
-            offset[at(f.offset)] = true;
-            const PlaneModel::Normal& n = model.normals[at(f.normal)];
-            const bool alike = normal[at(f.normal)] || n.kind == Kind::Fixed;
-            const bool mirrored = n.kind == Kind::Turn && angle[at(n.angle)];
-            cost -= params::kFreedomCost;
-            cost += alike ? params::kParallelPlaneCost
-                          : (mirrored ? params::kMirrorPlaneCost : params::kNewPlaneCost);
-        }
-        return cost;
     }
 
     std::vector<DrawnVertex> seen(const ShapeHypothesis& h, const LineDrawing& drawing,
@@ -295,7 +264,7 @@ class WholeReader {
 
     std::optional<Solved> solve(const ShapeHypothesis& h, const LineDrawing& drawing) const {
         const auto f = fit(h, drawing);
-        if (!f) return std::nullopt;
+        if (!f || !isWithin(*f, drawing)) return std::nullopt;
         Candidate c;
         place(*f, h, c);
         auto solid = Solid::fromSpec(c.spec);
@@ -318,8 +287,12 @@ class WholeReader {
         out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near);
         out.cost += params::kStrayCost * (out.evidence.strayPx + out.evidence.barePx) /
                     options_.thresholds.distancePx;
-        out.cost += h.price + params::kUnseenCornerCost *
-                                  static_cast<double>(std::count(h.node.begin(), h.node.end(), -1));
+        out.cost += h.price;
+        if (isClosed(h)) {
+            out.cost += params::kUnseenCornerCost *
+                        static_cast<double>(std::count(h.node.begin(), h.node.end(), -1));
+            out.cost += params::kHiddenFrontCost * out.evidence.hiddenFronts;
+        }
         describe(h, *f, out);
         out.guessed = endsUnseen(out.solid, h);
         return out;
@@ -336,6 +309,29 @@ class WholeReader {
                                    [&](int v) { return h.node[at(v)] < 0; });
             });
         });
+    }
+
+    /// Is the picture no larger than the drawing, by and large, and the solid not far deeper?
+    static bool isWithin(const PlaneFit& f, const LineDrawing& drawing) {
+        Vec2 low = drawing.nodes.front().at;
+        Vec2 high = low;
+        for (const LineDrawing::Node& n : drawing.nodes) {
+            low = low.cwiseMin(n.at);
+            high = high.cwiseMax(n.at);
+        }
+        const double size = (high - low).norm();
+        constexpr double kRoom = 0.5;
+        constexpr double kDepth = 20.0;
+        double near = std::numeric_limits<double>::infinity();
+        double far = -near;
+        for (const Vec3& p : f.camera) {
+            const Vec2 q = p.head<2>();
+            if (((low - q).array() > kRoom * size).any()) return false;
+            if (((q - high).array() > kRoom * size).any()) return false;
+            near = std::min(near, p.z());
+            far = std::max(far, p.z());
+        }
+        return far - near < kDepth * size;
     }
 
     /// Does some face that looks at the eye have a corner that may be the bend of one line?
@@ -466,6 +462,7 @@ class WholeReader {
     const TemplateLibrary& library_;
     const InterpretOptions& options_;
     int tried_ = 0;
+    int framesTried_ = 0;
     int lifts_ = 0;  ///< numbers of ShapeHypothesis::lift of frames before
     double noise_ = 1.0;
     double corner_ = 2.0;

@@ -76,13 +76,19 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     }
     std::vector<Line> seen, all;
     std::vector<int> edgeOf;
+    std::vector<bool> shown(solid.faces().size(), false);
     for (const VisiblePiece& p : view->visiblePieces()) {
+        for (const int f : solid.edges()[at(p.edge)].faces) shown[at(f)] = true;
         if (p.point) continue;
         seen.push_back(p.px);
         edgeOf.push_back(p.edge);
     }
     for (const SolidEdge& e : solid.edges()) {
         all.push_back({view->points()[at(e.ends[0])], view->points()[at(e.ends[1])]});
+    }
+    for (std::size_t f = 0; f < shown.size(); ++f) {
+        const bool front = view->facing(static_cast<int>(f)) == Facing::Front;
+        if (front && !shown[f]) ++out.hiddenFronts;
     }
     const LineGrid visible(seen, nearPx);
     const LineGrid any(all, nearPx);

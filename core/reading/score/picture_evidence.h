@@ -17,6 +17,7 @@ struct PictureEvidence {
     double slipPx = 0.0;      ///< the most of strayPx - detailPx that is one stroke's, or of barePx
                               ///< that is one edge's
     double barePx = 0.0;      ///< visible edges without ink
+    int hiddenFronts = 0;     ///< faces that look at the eye of which no edge is seen
     std::vector<int> beside;  ///< strokes of which less than half runs along an edge, and those
                               ///< that are no lines; ascending
 

@@ -26,8 +26,8 @@ class CellComplex {
     CellComplex(const Vec3& low, const Vec3& high);
 
     /// Planes and cells at most; more are refused.
-    static constexpr int kMostPlanes = 60;
-    static constexpr std::size_t kMostCells = 6000;
+    static constexpr int kMostPlanes = 48;
+    static constexpr std::size_t kMostCells = 3000;
 
     /// Cuts all cells that lie on both sides of a plane.
     /// \param nearPx  vertices so near to the plane lie on it.

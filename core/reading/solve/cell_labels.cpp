@@ -110,7 +110,7 @@ class Simpler {
     }
 
     void improve(std::vector<bool>& solid) {
-        constexpr int kRounds = 3;
+        constexpr int kRounds = 2;
         bool better = true;
         for (int round = 0; round < kRounds && better; ++round) {
             better = false;

@@ -107,9 +107,9 @@ class Planes {
             constexpr double kTold = 0.1;
             if (n.norm() < kTold) return;
             const int id = direction(n.normalized());
-            const bool known =
-                std::find(directions.begin(), directions.end(), id) != directions.end();
-            if (!known) directions.push_back(id);
+            const bool isNew =
+                std::find(directions.begin(), directions.end(), id) == directions.end();
+            if (isNew) directions.push_back(id);
         };
         for (int k = 0; axis < 0 && k < 3; ++k) addAcross(frame_.axes.col(k));
         // Where three edges meet and one of them is shared by the two faces that are seen, the

@@ -4,7 +4,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace ew {
 namespace {
@@ -22,14 +24,20 @@ class Lifting {
     Lifting(const LineDrawing& drawing, const AxisFrame& frame, double spread)
         : drawing_(drawing), frame_(frame), spread_(spread) {}
 
-    std::optional<FaceLift> run() {
-        if (drawing_.regions.empty()) return std::nullopt;
+    std::vector<FaceLift> run() {
+        std::vector<FaceLift> out;
+        if (drawing_.regions.empty()) return out;
         findOwners();
         findAxes();
         auto best = bestAxes();
         // With every line an edge of both faces, slanted ones may lie flat in the face behind them.
         if (best && isFlat(*best) && standUp()) best = bestAxes();
-        return best;
+        if (!best) return out;
+        out.push_back(*std::move(best));
+        if (release(out.front())) {
+            if (auto apart = lifted()) out.push_back(*std::move(apart));
+        }
+        return out;
     }
 
   private:
@@ -90,6 +98,53 @@ class Lifting {
             }
         }
         return best;
+    }
+
+    /// Two bodies, one before the other, may look joined along one line of two faces. Where that is
+    /// all that holds two groups of faces together, the line becomes an edge of the group that
+    /// reaches farther down in the picture: it stands nearer to the eye.
+    /// \return whether there is such a place.
+    bool release(const FaceLift& lift) {
+        bool any = false;
+        for (std::size_t e = 0; e < owner_.size(); ++e) {
+            const int a = drawing_.left[2 * e];
+            const int b = drawing_.left[2 * e + 1];
+            if (!lift.lines[e].shared) continue;
+            const std::vector<int> mine = reached(lift, a, b);
+            if (std::find(mine.begin(), mine.end(), b) != mine.end()) continue;
+            const std::vector<int> theirs = reached(lift, b, a);
+            if (mine.size() < 2 || theirs.size() < 2) continue;
+            owner_[e] = lowest(mine) > lowest(theirs) ? a : b;
+            any = true;
+        }
+        return any;
+    }
+
+    /// The faces that shared lines join to one, without those between two faces.
+    std::vector<int> reached(const FaceLift& lift, int from, int without) const {
+        std::vector<int> out{from};
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            for (std::size_t e = 0; e < owner_.size(); ++e) {
+                if (!lift.lines[e].shared) continue;
+                int a = drawing_.left[2 * e];
+                int b = drawing_.left[2 * e + 1];
+                if (a != out[i]) std::swap(a, b);
+                if (a != out[i] || (a == from && b == without)) continue;
+                if (std::find(out.begin(), out.end(), b) == out.end()) out.push_back(b);
+            }
+        }
+        return out;
+    }
+
+    /// How far faces reach down in the picture [px].
+    double lowest(const std::vector<int>& regions) const {
+        double y = -std::numeric_limits<double>::infinity();
+        for (const int r : regions) {
+            for (const int d : drawing_.regions[at(r)].loop) {
+                y = std::max(y, drawing_.nodes[at(drawing_.from[at(d)])].at.y());
+            }
+        }
+        return y;
     }
 
     /// Does some slanted face lie in the plane of a neighbour?
@@ -385,8 +440,8 @@ class Lifting {
 
 }  // namespace
 
-std::optional<FaceLift> liftFaces(const LineDrawing& drawing, const AxisFrame& frame,
-                                  double spreadPx) {
+std::vector<FaceLift> liftFaces(const LineDrawing& drawing, const AxisFrame& frame,
+                                double spreadPx) {
     return Lifting(drawing, frame, spreadPx).run();
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "core/reading/extract/axis_frames.h"
@@ -42,8 +41,9 @@ struct FaceLift {
 /// is the bar of a T junction or that contradicts most others: absolute deviations are made least.
 /// O(iterations * regions^3).
 /// \param spreadPx  standard deviation of a corner, per axis.
-/// \return nothing where some region's plane is not told.
-std::optional<FaceLift> liftFaces(const LineDrawing& drawing, const AxisFrame& frame,
-                                  double spreadPx);
+/// \return the planes as told, and, where two groups of faces hang together at one place only, the
+///         same with the lower group before the other one there; none where some plane is not told.
+std::vector<FaceLift> liftFaces(const LineDrawing& drawing, const AxisFrame& frame,
+                                double spreadPx);
 
 }  // namespace ew

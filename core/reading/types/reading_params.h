@@ -105,6 +105,8 @@ inline constexpr double kParallelPlaneCost = 3.0;
 inline constexpr double kMirrorPlaneCost = 4.0;
 inline constexpr double kNewPlaneCost = 20.0;
 inline constexpr double kUnseenCornerCost = 3.0;
+/// ... and of a face that looks at the eye and is hidden whole: nothing tells that it is there.
+inline constexpr double kHiddenFrontCost = 6.0;
 
 /// Solids of one topology whose volumes differ by less are one to a person.
 inline constexpr double kSameVolume = 0.1;
