@@ -65,9 +65,11 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
     const double near = std::min(options.thresholds.distancePx,
                                  params::kLeastBesidePx + 3.0 * noise + 2.0 * c.residualPx);
     const PictureEvidence picture = pictureEvidence(ink, *solid, c.pose, options.camera, near);
-    doubt.contradicted = picture.contradiction() > params::kMostContradiction;
-    // Lines inside a face may be a window that was drawn on it, or a part of the solid.
+    // Lines inside a face may be a window that was drawn on it, or a part of the solid; an edge of
+    // the graph across a face is no window.
     doubt.detailed = picture.detailPx > params::kMostDetail * picture.inkPx;
+    doubt.contradicted = picture.contradiction() > params::kMostContradiction ||
+                         (doubt.detailed && c.extraEdges > 0);
     doubt.poor = c.missingEdges > 0 || c.extraEdges > 0 ||
                  c.residualPx > params::kPoorFitNoises * noise + params::kPoorFitPx;
     return doubt;

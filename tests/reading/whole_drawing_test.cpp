@@ -155,7 +155,7 @@ TEST(WholeDrawing, AWindowIsInkAndAPocketIsCut) {
 }
 
 TEST(WholeDrawing, ATemplateThatContradictsThePictureIsAQuestion) {
-    // A box with a line too many outside is one slip; three are another solid's.
+    // A taller box has edges where nothing was drawn.
     OrthographicCamera camera;
     const Solid box = *Solid::fromSpec(boxSpec({0, 0, 0}, {60, 50, 40}));
     const WholeCase c = wholeCase(box, camera);

@@ -94,7 +94,7 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     const LineGrid any(all, nearPx);
     std::vector<Line> drawn;
     std::map<int, StrokeShare> strokes;
-    std::map<int, double> outside, bare;  // by stroke, by edge
+    std::map<int, double> bare;  // by edge
     for (const Segment& s : ink.segments) {
         const double each =
             s.inkPx / static_cast<double>(std::max<std::size_t>(1, s.points.size()));
@@ -104,11 +104,7 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
             if (visible.isNear(p) || any.isNear(p)) continue;
             stroke.beside += each;
             out.strayPx += each;
-            if (view->pick(p)) {
-                out.detailPx += each;
-            } else {
-                outside[s.stroke] += each;
-            }
+            if (view->pick(p)) out.detailPx += each;
         }
         for (std::size_t k = 1; k < s.points.size(); ++k) {
             drawn.push_back({s.points[k - 1], s.points[k]});
@@ -128,9 +124,7 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
             bare[edgeOf[i]] += length / steps;
         }
     }
-    for (const auto& lengths : {outside, bare}) {
-        for (const auto& [index, px] : lengths) out.slipPx = std::max(out.slipPx, px);
-    }
+    for (const auto& [edge, px] : bare) out.slipPx = std::max(out.slipPx, px);
     return out;
 }
 

@@ -14,15 +14,14 @@ struct PictureEvidence {
     double inkPx = 0.0;       ///< all ink that is lines
     double strayPx = 0.0;     ///< ink along no edge that is seen, and along none that is hidden
     double detailPx = 0.0;    ///< that part of it which lies inside faces: a window, a label
-    double slipPx = 0.0;      ///< the most of strayPx - detailPx that is one stroke's, or of barePx
-                              ///< that is one edge's
+    double slipPx = 0.0;      ///< the most of barePx that is one edge's
     double barePx = 0.0;      ///< visible edges without ink
     int hiddenFronts = 0;     ///< faces that look at the eye of which no edge is seen
     std::vector<int> beside;  ///< strokes of which less than half runs along an edge, and those
                               ///< that are no lines; ascending
 
     /// What the solid cannot be drawn as, as a share of the ink: details may lie on any solid, and
-    /// one line too many or too few is a slip.
+    /// one line forgotten is a slip.
     double contradiction() const {
         return inkPx > 0.0 ? (strayPx - detailPx + barePx - slipPx) / inkPx : 1.0;
     }
