@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/tolerance.h"
 
 namespace ew {
@@ -104,16 +104,11 @@ EdgeGraph withoutEdges(const EdgeGraph& graph, const std::vector<int>& edges) {
 }
 
 std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph) {
-    std::vector<int> part(graph.junctions.size());
-    std::iota(part.begin(), part.end(), 0);
-    auto find = [&](int j) {
-        while (part[at(j)] != j) j = part[at(j)] = part[at(part[at(j)])];
-        return j;
-    };
-    for (const GraphEdge& e : graph.edges) part[at(find(e.ends[0]))] = find(e.ends[1]);
+    DisjointSets part(graph.junctions.size());
+    for (const GraphEdge& e : graph.edges) part.join(e.ends[0], e.ends[1]);
     std::vector<int> roots;
-    for (std::size_t j = 0; j < part.size(); ++j) {
-        if (find(static_cast<int>(j)) == static_cast<int>(j)) roots.push_back(static_cast<int>(j));
+    for (int j = 0; j < static_cast<int>(graph.junctions.size()); ++j) {
+        if (part.root(j) == j) roots.push_back(j);
     }
     if (roots.size() <= 1) return {graph};
     std::vector<EdgeGraph> parts;
@@ -121,7 +116,7 @@ std::vector<EdgeGraph> connectedParts(const EdgeGraph& graph) {
         EdgeGraph g;
         g.junctions = graph.junctions;
         for (const GraphEdge& e : graph.edges) {
-            if (find(e.ends[0]) == root) g.edges.push_back(e);
+            if (part.root(e.ends[0]) == root) g.edges.push_back(e);
         }
         if (g.edges.empty()) continue;
         compact(g, std::vector<bool>(g.edges.size(), true));

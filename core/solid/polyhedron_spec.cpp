@@ -2,7 +2,8 @@
 #include "core/solid/polyhedron_spec.h"
 
 #include <cstddef>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace ew {
 namespace {
@@ -12,19 +13,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 std::vector<PolyhedronSpec> separateBodies(const PolyhedronSpec& spec) {
-    std::vector<int> root(spec.vertices.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto rootOf = [&](int v) {
-        while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
-        return v;
-    };
+    DisjointSets joined(spec.vertices.size());
     for (const std::vector<int>& face : spec.faces) {
-        for (const int v : face) root[at(rootOf(v))] = rootOf(face.front());
+        for (const int v : face) joined.join(v, face.front());
     }
     std::vector<int> bodyOf(spec.vertices.size(), -1);
     std::vector<PolyhedronSpec> bodies;
     for (const std::vector<int>& face : spec.faces) {
-        int& body = bodyOf[at(rootOf(face.front()))];
+        int& body = bodyOf[at(joined.root(face.front()))];
         if (body < 0) {
             body = static_cast<int>(bodies.size());
             bodies.emplace_back();
@@ -33,7 +29,7 @@ std::vector<PolyhedronSpec> separateBodies(const PolyhedronSpec& spec) {
     }
     std::vector<int> number(spec.vertices.size(), -1);
     for (std::size_t v = 0; v < spec.vertices.size(); ++v) {
-        const int body = bodyOf[at(rootOf(static_cast<int>(v)))];
+        const int body = bodyOf[at(joined.root(static_cast<int>(v)))];
         if (body < 0) continue;
         number[v] = static_cast<int>(bodies[at(body)].vertices.size());
         bodies[at(body)].vertices.push_back(spec.vertices[v]);

@@ -2,10 +2,9 @@
 #include "core/reading/extract/line_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/reading/extract/plane_geometry.h"
 
 namespace ew {
@@ -48,27 +47,13 @@ void addRegion(LineDrawing& drawing, const PlaneFace& face) {
     drawing.regions.push_back(std::move(region));
 }
 
-/// Per node: a number of the connected part that it belongs to.
-std::vector<int> partOfNode(const LineDrawing& drawing,
-                            const std::vector<std::array<int, 2>>& edges) {
-    std::vector<int> part(drawing.nodes.size());
-    std::iota(part.begin(), part.end(), 0);
-    const auto root = [&](int v) {
-        while (part[at(v)] != v) v = part[at(v)] = part[at(part[at(v)])];
-        return v;
-    };
-    for (const auto& e : edges) part[at(root(e[0]))] = root(e[1]);
-    for (std::size_t v = 0; v < part.size(); ++v) part[v] = root(static_cast<int>(v));
-    return part;
-}
-
 /// The outline of a connected part becomes a hole of the smallest region of another one round it.
-void addIsland(LineDrawing& drawing, const std::vector<int>& part, const std::vector<int>& loop) {
+void addIsland(LineDrawing& drawing, DisjointSets& part, const std::vector<int>& loop) {
     const int node = drawing.from[at(loop.front())];
     int around = -1;
     for (std::size_t r = 0; r < drawing.regions.size(); ++r) {
         const LineDrawing::Region& region = drawing.regions[r];
-        if (part[at(drawing.from[at(region.loop.front())])] == part[at(node)]) continue;
+        if (part.root(drawing.from[at(region.loop.front())]) == part.root(node)) continue;
         if (around >= 0 && region.areaPx >= drawing.regions[at(around)].areaPx) continue;
         if (insidePolygon(drawing.polygon(region.loop), drawing.nodes[at(node)].at)) {
             around = static_cast<int>(r);
@@ -80,6 +65,16 @@ void addIsland(LineDrawing& drawing, const std::vector<int>& part, const std::ve
 }
 
 }  // namespace
+
+std::array<Vec2, 2> LineDrawing::bounds() const {
+    Vec2 low = nodes.front().at;
+    Vec2 high = low;
+    for (const Node& n : nodes) {
+        low = low.cwiseMin(n.at);
+        high = high.cwiseMax(n.at);
+    }
+    return {low, high};
+}
 
 std::vector<Vec2> LineDrawing::polygon(const std::vector<int>& loop) const {
     std::vector<Vec2> out;
@@ -126,7 +121,8 @@ LineDrawing lineDrawing(const EdgeGraph& graph, double straightDeg) {
         if (widest == nullptr || face.area < widest->area) widest = &face;
     }
     if (widest != nullptr) drawing.outline = widest->loop;
-    const std::vector<int> part = partOfNode(drawing, plane.edges);
+    DisjointSets part(drawing.nodes.size());
+    for (const auto& e : plane.edges) part.join(e[0], e[1]);
     for (const PlaneFace* outline : outlines) addIsland(drawing, part, outline->loop);
     return drawing;
 }

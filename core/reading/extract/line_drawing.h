@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/edge_graph/edge_graph.h"
@@ -39,6 +40,8 @@ struct LineDrawing {
                nodes[static_cast<std::size_t>(from[static_cast<std::size_t>(d)])].at;
     }
     bool isT(int node) const { return nodes[static_cast<std::size_t>(node)].stem >= 0; }
+    /// Least and greatest coordinates of the nodes, of which there is one [px].
+    std::array<Vec2, 2> bounds() const;
     /// The corners of a loop [px].
     std::vector<Vec2> polygon(const std::vector<int>& loop) const;
     /// Does the line go straight on through this node, from one directed edge's end to the other?

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -24,6 +25,17 @@ inline bool insidePolygon(const std::vector<Vec2>& polygon, const Vec2& p) {
         if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
     }
     return inside;
+}
+
+/// Twice the area of a plane loop, as a vector across it that sees the loop run counter-clockwise.
+inline Vec3 doubleArea(const std::vector<Vec3>& points, const std::vector<int>& loop) {
+    const auto from = [&](std::size_t k) -> Vec3 {
+        return points[static_cast<std::size_t>(loop[k])] -
+               points[static_cast<std::size_t>(loop[0])];
+    };
+    Vec3 area = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) area += from(k).cross(from(k + 1));
+    return area;
 }
 
 }  // namespace ew

@@ -120,14 +120,9 @@ class Completion {
 
     /// A box round everything that the planes can make.
     void begin() {
-        Vec2 low = drawing_.nodes.front().at;
-        Vec2 high = low;
+        const auto [low, high] = drawing_.bounds();
         double near = std::numeric_limits<double>::infinity();
         double far = -near;
-        for (const LineDrawing::Node& n : drawing_.nodes) {
-            low = low.cwiseMin(n.at);
-            high = high.cwiseMax(n.at);
-        }
         for (std::size_t r = 0; r < drawing_.regions.size(); ++r) {
             for (const int d : drawing_.regions[r].loop) {
                 const double z =

@@ -313,12 +313,7 @@ class WholeReader {
 
     /// Is the picture no larger than the drawing, by and large, and the solid not far deeper?
     static bool isWithin(const PlaneFit& f, const LineDrawing& drawing) {
-        Vec2 low = drawing.nodes.front().at;
-        Vec2 high = low;
-        for (const LineDrawing::Node& n : drawing.nodes) {
-            low = low.cwiseMin(n.at);
-            high = high.cwiseMax(n.at);
-        }
+        const auto [low, high] = drawing.bounds();
         const double size = (high - low).norm();
         constexpr double kRoom = 0.5;
         constexpr double kDepth = 20.0;

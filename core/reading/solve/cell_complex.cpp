@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/reading/extract/plane_geometry.h"
+
 namespace ew {
 namespace {
 
@@ -177,13 +179,7 @@ int CellComplex::cellAt(std::uint64_t sides) const {
 }
 
 double CellComplex::area(int facet) const {
-    const std::vector<int>& loop = facets_[at(facet)].loop;
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-        sum += (vertices_[at(loop[k])] - vertices_[at(loop[0])])
-                   .cross(vertices_[at(loop[(k + 1) % loop.size()])] - vertices_[at(loop[0])]);
-    }
-    return 0.5 * sum.norm();
+    return 0.5 * doubleArea(vertices_, facets_[at(facet)].loop).norm();
 }
 
 }  // namespace ew

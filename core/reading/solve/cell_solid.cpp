@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "core/reading/extract/plane_geometry.h"
+
 namespace ew {
 namespace {
 
@@ -44,12 +46,7 @@ class Surface {
 
     void add(const CellComplex::Facet& f, bool outward) {
         Piece piece{f.loop, f.plane, outward, -1};
-        Vec3 area = Vec3::Zero();
-        const Vec3& p = complex_.vertices()[at(f.loop[0])];
-        for (std::size_t k = 1; k + 1 < f.loop.size(); ++k) {
-            area += (complex_.vertices()[at(f.loop[k])] - p)
-                        .cross(complex_.vertices()[at(f.loop[k + 1])] - p);
-        }
+        const Vec3 area = doubleArea(complex_.vertices(), f.loop);
         const bool along = area.dot(complex_.planes()[at(f.plane)].normal) > 0.0;
         // Camera space is right-handed, so loops turn as in any other space.
         if (along != outward) std::reverse(piece.loop.begin(), piece.loop.end());
@@ -121,23 +118,20 @@ class Surface {
         double widest = 0.0;
         while (!next.empty()) {
             std::vector<int> loop;
-            std::vector<Vec3> all;
+            std::vector<int> all;
             int v = next.begin()->first;
             for (auto it = next.find(v); it != next.end(); it = next.find(v)) {
-                all.push_back(complex_.vertices()[at(v)]);
+                all.push_back(v);
                 const auto corner = number_.find(v);
                 if (corner != number_.end()) loop.push_back(corner->second);
                 v = it->second;
                 next.erase(it);
             }
             if (loop.size() < 3) return false;
-            Vec3 area = Vec3::Zero();
-            for (std::size_t k = 1; k + 1 < all.size(); ++k) {
-                area += (all[k] - all[0]).cross(all[k + 1] - all[0]);
-            }
+            const double area = doubleArea(complex_.vertices(), all).norm();
             face.loops.push_back(std::move(loop));
-            if (area.norm() > widest) {
-                widest = area.norm();
+            if (area > widest) {
+                widest = area;
                 std::swap(face.loops.front(), face.loops.back());
             }
         }

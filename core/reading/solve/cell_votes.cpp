@@ -23,12 +23,7 @@ class Sight {
     }
 
     std::vector<CellVotes> votes(double spread) {
-        Vec2 low = drawing_.nodes.front().at;
-        Vec2 high = low;
-        for (const LineDrawing::Node& n : drawing_.nodes) {
-            low = low.cwiseMin(n.at);
-            high = high.cwiseMax(n.at);
-        }
+        auto [low, high] = drawing_.bounds();
         const Vec2 margin = kMarginShare * (high - low);
         low -= margin;
         high += margin;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/solve/simple_pieces.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -18,14 +17,8 @@ using Loops = std::vector<std::vector<int>>;
 class Pieces {
   public:
     Pieces(const std::vector<Vec3>& points, const Loops& loops) {
-        Vec3 area = Vec3::Zero();
-        const auto& outer = loops.front();
-        for (std::size_t k = 1; k + 1 < outer.size(); ++k) {
-            area += (points[at(outer[k])] - points[at(outer[0])])
-                        .cross(points[at(outer[k + 1])] - points[at(outer[0])]);
-        }
         Eigen::Index drop = 0;
-        area.cwiseAbs().maxCoeff(&drop);
+        doubleArea(points, loops.front()).cwiseAbs().maxCoeff(&drop);
         for (const Vec3& p : points) flat_.emplace_back(p[(drop + 1) % 3], p[(drop + 2) % 3]);
     }
 
