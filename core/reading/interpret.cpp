@@ -35,8 +35,8 @@ std::size_t mostLines(const TemplateLibrary& library) {
 bool foundNothing(const Interpretation& reading) {
     if (reading.accepted || !reading.problem) return false;
     const Errc code = reading.problem->code;
-    for (const Errc none :
-         {Errc::NoMatch, Errc::NotParallel, Errc::NoSolution, Errc::SeparateDrawings}) {
+    for (const Errc none : {Errc::NoMatch, Errc::NotParallel, Errc::NoSolution,
+                            Errc::SeparateDrawings, Errc::SelfCrossing}) {
         if (code == none) return true;
     }
     if (code != Errc::Ambiguous || reading.candidates.empty()) return false;
@@ -50,7 +50,8 @@ struct Doubt {
     bool detailed = false;      ///< lines are left inside its faces
     bool poor = false;          ///< its corners lie farther off than this hand's lines do, or it
                                 ///< has edges more or fewer than were drawn
-    bool any() const { return contradicted || detailed || poor; }
+    bool hidden = false;        ///< its hidden edges are drawn, and not looked at
+    bool any() const { return contradicted || detailed || poor || hidden; }
 };
 
 /// Views that are no parallel projection are not to be compared.
@@ -67,6 +68,7 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
     const PictureEvidence picture = pictureEvidence(ink, *solid, c.pose, options.camera, near);
     // Lines inside a face may be a window that was drawn on it, or a part of the solid; an edge of
     // the graph across a face is no window.
+    doubt.hidden = picture.hiddenPx > params::kMostDetail * picture.inkPx;
     doubt.detailed = picture.detailPx > params::kMostDetail * picture.inkPx;
     doubt.contradicted = picture.contradiction() > params::kMostContradiction ||
                          (doubt.detailed && c.extraEdges > 0);
@@ -142,12 +144,18 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     if (doubt.contradicted) askInstead(out);
     if (!whole) whole = readWholeDrawing(ink, library, options);
     if (whole->candidates.empty()) return out;
-    if (taken && isAlike(*taken, whole->candidates.front(), doubt)) return out;
     // What was taken gives way only to what explains next to all of the lines.
     const bool explains = !taken || whole->residue <= params::kMostDetail;
+    if (taken && isAlike(*taken, whole->candidates.front(), doubt)) {
+        // With all lines the same solid is known better than without some.
+        const bool better = whole->clear && explains && (taken->extraEdges > 0 || doubt.hidden);
+        return better ? wholeOf(*std::move(whole)) : out;
+    }
     if (whole->clear && explains) return wholeOf(*std::move(whole));
+    // Who draws hidden lines means all other lines as edges, too.
+    const bool partial = doubt.hidden && doubt.detailed;
+    if (taken && (partial || (doubt.poor && explains))) askInstead(out);
     if (!taken || !explains) return out;
-    if (doubt.poor) askInstead(out);
     offerToo(*std::move(whole), out);
     return out;
 }

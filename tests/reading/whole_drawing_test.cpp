@@ -123,6 +123,30 @@ TEST_P(Compounds, AnotherOrderOfStrokesIsTheSameSolid) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Compounds, testing::Values("parts-2", "parts-5", "bodies"));
 
+/// Drawings with all of their hidden lines, in pieces where something comes before them.
+class HiddenLines : public testing::TestWithParam<std::string> {};
+
+TEST_P(HiddenLines, AreEdgesOfTheSolid) {
+    int right = 0;
+    int wrong = 0;
+    for (std::uint64_t n = 0; n < 12; ++n) {
+        Random random(Random::mix(31, n));
+        WholeCase c = randomWholeCase(GetParam(), random);
+        c.lines.insert(c.lines.end(), c.hidden.begin(), c.hidden.end());
+        const auto solid = taken(read(c, drawnBy(c, kLightHand, n)));
+        if (!solid) continue;
+        const bool same =
+            sameCounts(*solid, c.solid) &&
+            (!c.tellsVolume || std::abs(solid->volume() / c.solid.volume() - 1.0) < 0.12);
+        (same ? right : wrong) += 1;
+    }
+    EXPECT_GE(right, 8);
+    EXPECT_LE(wrong, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, HiddenLines,
+                         testing::Values("prism", "concave", "pyramid", "parts-2", "parts-5"));
+
 /// A box with a window drawn as a closed line on a face, and one with a pocket whose floor is seen.
 TEST(WholeDrawing, AWindowIsInkAndAPocketIsCut) {
     OrthographicCamera camera;

@@ -146,6 +146,8 @@ class Completion {
             const auto pieces = simplePieces(solid.vertices, f.loops);
             if (pieces.empty()) return std::nullopt;
             h.rough.faces.insert(h.rough.faces.end(), pieces.begin(), pieces.end());
+            const int face = h.pieceOf.empty() ? 0 : h.pieceOf.back() + 1;
+            h.pieceOf.resize(h.rough.faces.size(), face);
         }
         findNodes(h);
         addStretches(h);

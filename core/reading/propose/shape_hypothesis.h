@@ -12,9 +12,11 @@ namespace ew {
 /// A solid that a drawing may show: all its faces, with rough places, and which of its corners are
 /// which nodes of the drawing.
 struct ShapeHypothesis {
-    std::string family;             ///< "prism", "pyramid", "frustum", "polyhedron"
-    int sides = 0;                  ///< corners of the base, 0 for a polyhedron
-    PolyhedronSpec rough;           ///< camera space [px], faces counter-clockwise from outside
+    std::string family;        ///< "prism", "pyramid", "frustum", "polyhedron"
+    int sides = 0;             ///< corners of the base, 0 for a polyhedron
+    PolyhedronSpec rough;      ///< camera space [px], faces counter-clockwise from outside
+    std::vector<int> pieceOf;  ///< per face of `rough`: pieces of one face have one number; empty
+                               ///< where each is a face by itself
     Mat3 frame = Mat3::Identity();  ///< body to camera
     std::vector<int> node;          ///< per vertex: node of the drawing, -1 where it is not seen
     std::vector<DrawnStretch> stretches;  ///< lines that end behind something

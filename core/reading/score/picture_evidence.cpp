@@ -101,7 +101,11 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
         for (const Vec2& p : s.points) {
             StrokeShare& stroke = strokes[s.stroke];
             stroke.all += each;
-            if (visible.isNear(p) || any.isNear(p)) continue;
+            if (visible.isNear(p)) continue;
+            if (any.isNear(p)) {
+                out.hiddenPx += each;
+                continue;
+            }
             stroke.beside += each;
             out.strayPx += each;
             if (view->pick(p)) out.detailPx += each;

@@ -13,6 +13,7 @@ namespace ew {
 struct PictureEvidence {
     double inkPx = 0.0;       ///< all ink that is lines
     double strayPx = 0.0;     ///< ink along no edge that is seen, and along none that is hidden
+    double hiddenPx = 0.0;    ///< ink along edges that are hidden
     double detailPx = 0.0;    ///< that part of it which lies inside faces: a window, a label
     double slipPx = 0.0;      ///< the most of barePx that is one edge's
     double barePx = 0.0;      ///< visible edges without ink

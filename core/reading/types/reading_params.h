@@ -78,6 +78,8 @@ inline constexpr double kOtherResidue = 0.12;
 inline constexpr double kWholeMargin = 8.0;
 /// ... or kCompletionMargin, where the two differ in what is not seen alone: the simplest is meant.
 inline constexpr double kCompletionMargin = 2.0;
+/// ... or kExactMargin, where an exact drawing is an exact picture of both.
+inline constexpr double kExactMargin = 5.0;
 /// ... and its corners are no farther from where they were drawn than this many variances.
 inline constexpr double kWholeMisfit = 2.5;
 
@@ -108,7 +110,12 @@ inline constexpr double kUnseenCornerCost = 3.0;
 /// ... and of a face that looks at the eye and is hidden whole: nothing tells that it is there.
 inline constexpr double kHiddenFrontCost = 6.0;
 
-/// Solids of one topology whose volumes differ by less are one to a person.
-inline constexpr double kSameVolume = 0.1;
+/// Price of a solid that is seen from below, where the same lines show one from above.
+inline constexpr double kFromBelowCost = 6.0;
+
+/// Solids of one topology whose volumes differ by less are one to a person: a hand's drawing does
+/// not tell more of how deep they are. Exact ones are one only within kSameExactVolume.
+inline constexpr double kSameVolume = 0.25;
+inline constexpr double kSameExactVolume = 0.1;
 
 }  // namespace ew::params
