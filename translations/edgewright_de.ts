@@ -48,6 +48,14 @@
         <translation>Lesbar als %1, aber nur ohne einige der Linien; auswählen oder weiterzeichnen.</translation>
     </message>
     <message>
+        <source>This could be %1, but only with edges that are not drawn; choose it, or draw on.</source>
+        <translation>Lesbar als %1, aber nur mit Kanten, die nicht gezeichnet sind; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This could be %1, but it would run through the solid that is there; choose it, or draw on.</source>
+        <translation>Lesbar als %1, ginge aber durch den vorhandenen Körper hindurch; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
         <source>This is one flat outline; a solid needs the lines inside it too, where its faces meet.</source>
         <translation>Das ist ein flacher Umriss; ein Körper braucht auch die Linien darin, an denen seine Flächen sich treffen.</translation>
     </message>

@@ -47,6 +47,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "The lines fit no %1 closely: they are %2 off on average."),
     QT_TRANSLATE_NOOP(
         "Core", "This could be %1, but only without some of the lines; choose it, or draw on."),
+    QT_TRANSLATE_NOOP(
+        "Core", "This could be %1, but only with edges that are not drawn; choose it, or draw on."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This could be %1, but it would run through the solid that is there; choose "
+                      "it, or draw on."),
     QT_TRANSLATE_NOOP("Core",
                       "This is one flat outline; a solid needs the lines inside it too, where its "
                       "faces meet."),

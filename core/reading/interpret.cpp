@@ -14,6 +14,7 @@
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/picture_evidence.h"
 #include "core/reading/types/reading_params.h"
+#include "core/solid/boolean.h"
 #include "core/solid/solid.h"
 #include "core/tlib/library_index.h"
 
@@ -78,7 +79,8 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
 }
 
 /// What was taken becomes a question.
-void askInstead(Interpretation& reading) {
+/// \param but  what speaks against it, after "This could be a Cube".
+void askInstead(Interpretation& reading, const std::string& but) {
     const auto best = static_cast<std::size_t>(*reading.accepted);
     const std::string name = withArticle(reading.candidates[best].templateName);
     Repair use;
@@ -88,11 +90,32 @@ void askInstead(Interpretation& reading) {
     reading.repairs.push_back(std::move(use));
     std::vector<Vec2> where;
     for (const Junction& j : reading.graph.junctions) where.push_back(j.position);
-    reading.problem = Error{
-        Errc::Ambiguous,
-        "This could be " + name + ", but only without some of the lines; choose it, or draw on.",
-        std::move(where)};
+    reading.problem =
+        Error{Errc::Ambiguous, "This could be " + name + but + "; choose it, or draw on.",
+              std::move(where)};
     reading.accepted.reset();
+}
+
+void askAboutLines(Interpretation& reading) {
+    const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
+    const bool lacks = c.missingEdges > 0 && c.extraEdges == 0 && c.unusedStrokes.empty();
+    askInstead(reading, lacks ? ", but only with edges that are not drawn"
+                              : ", but only without some of the lines");
+}
+
+/// Would a body of its own run through one that is there?
+bool runsThrough(const Candidate& c, const std::vector<Body>& bodies) {
+    return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        PolyhedronSpec spec = c.spec;
+        const Mat3 toBody = body.pose.rotation.transpose();
+        for (Vec3& v : spec.vertices) {
+            v = toBody * (c.pose.toWorld(v) - body.pose.translation);
+        }
+        const auto solid = Solid::fromSpec(spec);
+        if (!solid) return false;
+        const auto common = combine(body.solid, *solid, BooleanKind::Intersect);
+        return common || common.error().code == Errc::NoChange;  // all of the body
+    });
 }
 
 Interpretation wholeOf(WholeReading whole) {
@@ -141,7 +164,7 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     if (!doubt.any() && !foundNothing(out)) return out;
     std::optional<Candidate> taken;
     if (out.accepted) taken = out.candidates[static_cast<std::size_t>(*out.accepted)];
-    if (doubt.contradicted) askInstead(out);
+    if (doubt.contradicted) askAboutLines(out);
     if (!whole) whole = readWholeDrawing(ink, library, options);
     if (whole->candidates.empty()) return out;
     // What was taken gives way only to what explains next to all of the lines.
@@ -154,7 +177,7 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     if (whole->clear && explains) return wholeOf(*std::move(whole));
     // Who draws hidden lines means all other lines as edges, too.
     const bool partial = doubt.hidden && doubt.detailed;
-    if (taken && (partial || (doubt.poor && explains))) askInstead(out);
+    if (taken && (partial || (doubt.poor && explains))) askAboutLines(out);
     if (!taken || !explains) return out;
     offerToo(*std::move(whole), out);
     return out;
@@ -208,6 +231,11 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
     if (change.redraws || (change.touches && created.accepted)) {
         created.accepted.reset();
         created.problem = change.interpretation.problem;
+    }
+    if (created.accepted &&
+        runsThrough(created.candidates[static_cast<std::size_t>(*created.accepted)],
+                    options.bodies)) {
+        askInstead(created, ", but it would run through the solid that is there");
     }
     return created;
 }

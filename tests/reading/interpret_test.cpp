@@ -9,6 +9,7 @@
 
 #include "tests/reading/reading_fixture.h"
 #include "tests/support/hand_model.h"
+#include "tests/support/modification_shapes.h"
 #include "tests/support/sketch_generator.h"
 
 namespace ew {
@@ -272,6 +273,44 @@ Stroke circle(const Vec2& center, double radius) {
         s.samples.push_back({center + radius * Vec2(std::cos(t), std::sin(t)), 1, 0});
     }
     return s;
+}
+
+TEST(Interpret, ABodyThatWouldRunThroughAnotherIsAQuestion) {
+    InterpretOptions options;
+    const auto strokes = boxStrokes(options.camera, Vec3(60, 40, 30), Vec3(-30, -20, 0));
+    const auto alone = readStrokes(strokes, options);
+    ASSERT_TRUE(alone.accepted);
+    const Candidate& c = alone.candidates[0];
+    std::vector<Vec3> corners;
+    for (const Vec3& v : c.spec.vertices) corners.push_back(c.pose.toWorld(v));
+    std::sort(corners.begin(), corners.end(),
+              [](const Vec3& a, const Vec3& b) { return a.z() > b.z(); });
+    // Just under the middle of the upper face, where no line is near.
+    const Vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+    Pose inside;
+    inside.translation = middle - Vec3(0, 0, 2);
+    const Solid small = *Solid::fromSpec(test::boxSpec({-1, -1, -1}, {1, 1, 1}));
+    options.bodies = {{small, inside}};
+    const auto through = readStrokes(strokes, options);
+    EXPECT_FALSE(through.accepted);
+    ASSERT_TRUE(through.problem);
+    EXPECT_EQ(through.problem->code, Errc::Ambiguous);
+    EXPECT_NE(through.problem->message.find("run through the solid"), std::string::npos);
+    EXPECT_FALSE(through.candidates.empty());
+    // Beside it nothing is in the way.
+    options.bodies[0].pose.translation = middle + Vec3(120, 0, 0);
+    EXPECT_TRUE(readStrokes(strokes, options).accepted);
+}
+
+TEST(Interpret, AZigzagAlongALineIsNoSliver) {
+    for (const double height : {4.0, 9.0, 13.0}) {
+        Stroke zigzag;
+        for (int k = 0; k < 60; ++k) {
+            const double up = height * static_cast<double>(k % 4) / 3.0;
+            zigzag.samples.push_back({Vec2(170.0 + 4.0 * k, 110.0 + up), 1.0, 8.0 * k});
+        }
+        EXPECT_FALSE(readStrokes({zigzag}).accepted) << height;
+    }
 }
 
 TEST(Interpret, TwoBoxesAreTwoBodiesOnOneGround) {

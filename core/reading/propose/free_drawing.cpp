@@ -416,7 +416,7 @@ class Pipeline {
             !best.candidates.empty() && best.candidates.front().match.aspect->edgeOn;
         if (best.clear &&
             isAbsurd(best.candidates.front(), std::hypot(context_.noisePx, context_.cornerPx),
-                     options_.camera.worldPerPixel)) {
+                     distance, options_.camera.worldPerPixel)) {
             best.clear = false;
             findings.absurd = true;
         }

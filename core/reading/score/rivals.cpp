@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 #include "core/base/tolerance.h"
 #include "core/reading/evidence/accidental.h"
@@ -27,6 +28,26 @@ double clearMargin(const RatedCandidate& best, const RatedCandidate& other) {
     return fitsPoorly(best) ? params::kPlainerMarginPoor : params::kPlainerMargin;
 }
 
+/// Width of the strip that holds the picture of all points [px].
+double narrowest(const CameraPoints& points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = i + 1; k < points.size(); ++k) {
+            const Vec2 d = points[k].head<2>() - points[i].head<2>();
+            if (d.norm() == 0.0) continue;
+            const Vec2 across = Vec2(-d.y(), d.x()).normalized();
+            double low = std::numeric_limits<double>::infinity();
+            double high = -low;
+            for (const Vec3& p : points) {
+                low = std::min(low, across.dot(p.head<2>()));
+                high = std::max(high, across.dot(p.head<2>()));
+            }
+            least = std::min(least, high - low);
+        }
+    }
+    return least;
+}
+
 }  // namespace
 
 bool fitsPoorly(const RatedCandidate& c) {
@@ -40,7 +61,8 @@ bool isRival(const RatedCandidate& best, const RatedCandidate& other) {
            other.cost < best.cost + clearMargin(best, other);
 }
 
-bool isAbsurd(const RatedCandidate& c, double handPx, double worldPerPixel) {
+bool isAbsurd(const RatedCandidate& c, double handPx, double distancePx, double worldPerPixel) {
+    if (narrowest(c.drawn) < distancePx) return true;
     // Where relations leave depth open it is a choice, not what was drawn.
     const bool told = c.entry->analysis.rectilinear.has_value();
     for (const int e : c.match.edge) {

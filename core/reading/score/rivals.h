@@ -14,10 +14,12 @@ bool fitsPoorly(const RatedCandidate& candidate);
 /// what was meant.
 bool isRival(const RatedCandidate& best, const RatedCandidate& other);
 
-/// Is an edge of the solid many times as long as it was drawn, or the solid thinner than this hand
-/// can tell?
-/// \param handPx  how far this hand's corners lie from where they are meant [px].
-bool isAbsurd(const RatedCandidate& candidate, double handPx, double worldPerPixel);
+/// Is an edge of the solid many times as long as it was drawn, the solid thinner than this hand can
+/// tell, or its picture narrower than what counts as meeting?
+/// \param handPx      how far this hand's corners lie from where they are meant [px].
+/// \param distancePx  the distance threshold [px].
+bool isAbsurd(const RatedCandidate& candidate, double handPx, double distancePx,
+              double worldPerPixel);
 
 /// Does nothing that is seen of a candidate tell it from simpler solids? See hidesItsTaper().
 bool looksAccidental(const RatedCandidate& candidate);
