@@ -69,7 +69,7 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
     const PictureEvidence picture = pictureEvidence(ink, *solid, c.pose, options.camera, near);
     // Lines inside a face may be a window that was drawn on it, or a part of the solid; an edge of
     // the graph across a face is no window.
-    doubt.hidden = picture.hiddenPx > params::kMostDetail * picture.inkPx;
+    doubt.hidden = picture.showsHidden();
     doubt.detailed = picture.detailPx > params::kMostDetail * picture.inkPx;
     doubt.contradicted = picture.contradiction() > params::kMostContradiction ||
                          (doubt.detailed && c.extraEdges > 0);

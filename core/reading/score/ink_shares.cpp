@@ -7,14 +7,12 @@
 
 #include "core/reading/evidence/stroke_shares.h"
 #include "core/reading/extract/plane_geometry.h"
+#include "core/reading/types/reading_params.h"
 
 namespace ew {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// So much of the hidden edges has ink where somebody draws hidden lines; dashes leave gaps.
-constexpr double kDrawnShare = 0.4;
 
 enum class Place { Edge, Hidden, Face, Nowhere };
 
@@ -104,7 +102,7 @@ Shares sharesOf(const InkReading& ink, const Picture& picture) {
         }
     }
     // Who draws hidden lines draws them all.
-    if (out.drawing.hidden < kDrawnShare * picture.hiddenPx()) {
+    if (out.drawing.hidden < params::kHiddenDrawn * picture.hiddenPx()) {
         out.drawing.detail += out.drawing.hidden;
         out.drawing.hidden = 0.0;
         for (const auto& [stroke, length] : hidden) out.strokes[stroke].beside += length;

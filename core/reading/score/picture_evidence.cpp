@@ -85,7 +85,9 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
     }
     for (const SolidEdge& e : solid.edges()) {
         all.push_back({view->points()[at(e.ends[0])], view->points()[at(e.ends[1])]});
+        out.hiddenEdgesPx += (all.back()[1] - all.back()[0]).norm();
     }
+    for (const Line& line : seen) out.hiddenEdgesPx -= (line[1] - line[0]).norm();
     for (std::size_t f = 0; f < shown.size(); ++f) {
         const bool front = view->facing(static_cast<int>(f)) == Facing::Front;
         if (front && !shown[f]) ++out.hiddenFronts;

@@ -113,6 +113,9 @@ inline constexpr double kHiddenFrontCost = 6.0;
 /// Price of a solid that is seen from below, where the same lines show one from above.
 inline constexpr double kFromBelowCost = 6.0;
 
+/// So much of the hidden edges has ink where somebody draws hidden lines; dashes leave gaps.
+inline constexpr double kHiddenDrawn = 0.4;
+
 /// Solids of one topology whose volumes differ by less are one to a person: a hand's drawing does
 /// not tell more of how deep they are. Exact ones are one only within kSameExactVolume.
 inline constexpr double kSameVolume = 0.25;
