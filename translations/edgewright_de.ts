@@ -1621,6 +1621,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::NumberBox</name>
+    <message>
+        <source>“%1” is not between %2 and %3; the old number stays.</source>
+        <translation>„%1“ liegt nicht zwischen %2 und %3; die alte Zahl bleibt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; the old one stays.</source>
+        <translation>„%1“ ist keine Zahl; die alte bleibt.</translation>
+    </message>
+</context>
+<context>
     <name>ew::RecoverDialog</name>
     <message>
         <source>Recover documents</source>
@@ -2238,6 +2249,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Draw with the pen or the left mouse button. The middle or right button orbits.</source>
         <translation>Mit dem Stift oder der linken Maustaste zeichnen. Die mittlere oder rechte Maustaste dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::WholeNumberBox</name>
+    <message>
+        <source>“%1” is not a whole number; the old one stays.</source>
+        <translation>„%1“ ist keine ganze Zahl; die alte bleibt.</translation>
     </message>
 </context>
 <context>

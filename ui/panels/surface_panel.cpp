@@ -38,7 +38,6 @@ QDoubleSpinBox* millimetres(QWidget* parent, double least, double most, int deci
     box->setRange(least, most);
     box->setDecimals(decimals);
     box->setSuffix(SurfacePanel::tr(" mm"));
-    box->setKeyboardTracking(false);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     return box;
 }

@@ -37,7 +37,6 @@ QDoubleSpinBox* sharpnessBox(QWidget* parent, const QString& explanation) {
     box->setDecimals(1);
     box->setSpecialValueText(SurfacePanel::tr("auto"));
     box->setValue(-0.5);
-    box->setKeyboardTracking(false);
     box->setToolTip(explanation);
     return box;
 }
@@ -68,7 +67,6 @@ void SurfacePanel::buildSurface() {
     tolerance_->setDecimals(3);
     tolerance_->setValue(kDefaultTolerance);
     tolerance_->setSuffix(tr(" mm"));
-    tolerance_->setKeyboardTracking(false);
     tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     tolerance_->setToolTip(tr("No point of the surface is farther than this from its triangles."));
     cage_ = new QCheckBox(tr("Show the &cage over it"), this);
@@ -83,7 +81,6 @@ void SurfacePanel::buildSurface() {
     memory_->setObjectName(QStringLiteral("memoryNumber"));
     memory_->setRange(1, kMostMemoryMb);
     memory_->setSuffix(tr(" MB"));
-    memory_->setKeyboardTracking(false);
     memory_->setToolTip(tr("A surface that would need more is refused."));
     form->addRow(tr("Memory limit"), memory_);
     connectSurface();

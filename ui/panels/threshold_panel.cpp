@@ -90,7 +90,6 @@ ThresholdPanel::Row ThresholdPanel::addRow(int row, const QString& name, const Q
     made.number->setDecimals(1);
     made.number->setSingleStep(kStep);
     made.number->setSuffix(unit);
-    made.number->setKeyboardTracking(false);
     made.number->setAlignment(Qt::AlignRight);
     auto* grid = static_cast<QGridLayout*>(layout());
     grid->addWidget(label, row, 0);
