@@ -1360,6 +1360,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Reverted to %1.</source>
         <translation>Zurück auf dem Stand von %1.</translation>
     </message>
+    <message>
+        <source>Without saving they are in no file, but File, Recover… offers them for a while.</source>
+        <translation>Ungespeichert stehen sie in keiner Datei, aber „Datei, Wiederherstellen …“ bietet sie noch eine Weile an.</translation>
+    </message>
+    <message>
+        <source>Revert to the saved file?</source>
+        <translation>Zur gespeicherten Datei zurück?</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>&amp;Zurück</translation>
+    </message>
 </context>
 <context>
     <name>ew::GraphPanel</name>

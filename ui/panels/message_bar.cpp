@@ -93,6 +93,11 @@ void MessageBar::showError(const Error& error) {
     refresh();
 }
 
+void MessageBar::clearNotice() {
+    notice_.reset();
+    refresh();
+}
+
 void MessageBar::onCountdown(bool running) {
     if (running) {
         countdown_.start();
