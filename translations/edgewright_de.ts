@@ -64,14 +64,6 @@
         <translation>Von hier aus lesbar als %1 oder etwas Einfacheres; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
     </message>
     <message>
-        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5).</source>
-        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4 und %5).</translation>
-    </message>
-    <message>
-        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4).</source>
-        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4).</translation>
-    </message>
-    <message>
         <source>No template shows %1 and %2 like this. The nearest is %3, but the lines meet in another way.</source>
         <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3, aber dort treffen sich die Linien anders.</translation>
     </message>
@@ -372,10 +364,6 @@
         <translation>Nehmen: %1</translation>
     </message>
     <message>
-        <source>belongs to no region</source>
-        <translation>gehört zu keinem Gebiet</translation>
-    </message>
-    <message>
         <source>a dot</source>
         <translation>ein Punkt</translation>
     </message>
@@ -430,14 +418,6 @@
     <message>
         <source>%1 edges</source>
         <translation>%1 Kanten</translation>
-    </message>
-    <message>
-        <source>%1 more</source>
-        <translation>%1 mehr</translation>
-    </message>
-    <message>
-        <source>%1 fewer</source>
-        <translation>%1 weniger</translation>
     </message>
     <message>
         <source>Parallel projection</source>
@@ -766,6 +746,34 @@
     <message>
         <source>the file cannot be read or written (%1)</source>
         <translation>die Datei lässt sich nicht lesen oder schreiben (%1)</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 missing, %5 too many).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu wenig: %4, zu viel: %5).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 missing).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu wenig: %4).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 too many).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu viel: %4).</translation>
+    </message>
+    <message>
+        <source>Join the nearest ends</source>
+        <translation>Die nächsten Enden verbinden</translation>
+    </message>
+    <message>
+        <source>is part of no face</source>
+        <translation>gehört zu keiner Fläche</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Linie</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Linien</translation>
     </message>
 </context>
 <context>

@@ -179,9 +179,9 @@ TEST_F(German, WhatTheCoreSaysIsGermanToo) {
               "Eine Linie endet 19 px vor dem, was sie treffen sollte (die Abstandsschwelle ist 14 "
               "px).");
     EXPECT_EQ(coreText("No template shows one corner and 9 edges like this. The nearest is Cube "
-                       "(it shows 2 edges fewer and one corner more)."),
+                       "(one line missing, 2 lines too many)."),
               "Keine Vorlage zeigt so eine Ecke und 9 Kanten. Am nächsten ist: Quader "
-              "(zeigt 2 Kanten weniger und eine Ecke mehr).");
+              "(zu wenig: eine Linie, zu viel: 2 Linien).");
     EXPECT_EQ(coreText("This can be read as Cube or Hat stand or L-prism; choose one."),
               "Lesbar als Quader oder Hat stand oder L-Prisma; bitte auswählen.");
     EXPECT_EQ(coreText("This could be a Cube or an L-prism, but only without some of the lines; "
