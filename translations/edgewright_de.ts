@@ -775,6 +775,186 @@
         <source>%1 lines</source>
         <translation>%1 Linien</translation>
     </message>
+    <message>
+        <source>a database of another program</source>
+        <translation>eine Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>%1: not valid JSON at byte %2</source>
+        <translation>%1: kein gültiges JSON bei Byte %2</translation>
+    </message>
+    <message>
+        <source>%1: the key %2 comes twice in one object</source>
+        <translation>%1: der Schlüssel %2 steht zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>%1: a number before byte %2 is beyond the range of numbers</source>
+        <translation>%1: eine Zahl vor Byte %2 ist größer, als Zahlen sein können</translation>
+    </message>
+    <message>
+        <source>%1: the file holds too many values</source>
+        <translation>%1: die Datei enthält zu viele Werte</translation>
+    </message>
+    <message>
+        <source>%1: nested deeper than %2 levels</source>
+        <translation>%1: tiefer als %2 Stufen verschachtelt</translation>
+    </message>
+    <message>
+        <source>%1: larger than %2 MiB</source>
+        <translation>%1: größer als %2 MiB</translation>
+    </message>
+    <message>
+        <source>%1: this is not a sketch script (its format is %2)</source>
+        <translation>%1: das ist kein Zeichenskript (sein Format ist %2)</translation>
+    </message>
+    <message>
+        <source>%1: this is not an Edgewright document (its format is %2)</source>
+        <translation>%1: das ist kein Edgewright-Dokument (sein Format ist %2)</translation>
+    </message>
+    <message>
+        <source>%1: version %2 is not known; this program reads version 1</source>
+        <translation>%1: Version %2 ist nicht bekannt; dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 steps</source>
+        <translation>%1: mehr als %2 Schritte</translation>
+    </message>
+    <message>
+        <source>%1: %2: the key %3 or %4 is missing</source>
+        <translation>%1: %2: der Schlüssel %3 oder %4 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2: the key %3 is missing</source>
+        <translation>%1: %2: der Schlüssel %3 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2: unknown key %3</source>
+        <translation>%1: %2: unbekannter Schlüssel %3</translation>
+    </message>
+    <message>
+        <source>%1: %2: either %3 or %4, not both</source>
+        <translation>%1: %2: entweder %3 oder %4, nicht beide</translation>
+    </message>
+    <message>
+        <source>%1: %2: there is no step called %3</source>
+        <translation>%1: %2: es gibt keinen Schritt namens %3</translation>
+    </message>
+    <message>
+        <source>%1: %2: the pressure must be from 0 to 1</source>
+        <translation>%1: %2: der Druck muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>%1: %2 names no edge</source>
+        <translation>%1: %2 nennt keine Kante</translation>
+    </message>
+    <message>
+        <source>%1: %2 is too far away</source>
+        <translation>%1: %2 ist zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>%1: %2 must hold numbers only</source>
+        <translation>%1: %2 darf nur Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>%1: %2 must name a template</source>
+        <translation>%1: %2 muss eine Vorlage nennen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must name a file</source>
+        <translation>%1: %2 muss eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a direction, not zero and not huge</source>
+        <translation>%1: %2 muss eine Richtung sein, nicht null und nicht riesig</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a list of %3 numbers</source>
+        <translation>%1: %2 muss eine Liste aus %3 Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a colour such as %3</source>
+        <translation>%1: %2 muss eine Farbe wie %3 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be auto or a number from 0 to 10</source>
+        <translation>%1: %2 muss auto oder eine Zahl von 0 bis 10 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be from %3 to %4 pixels each way</source>
+        <translation>%1: %2 muss in jeder Richtung %3 bis %4 Pixel groß sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be from %3 to %4</source>
+        <translation>%1: %2 muss zwischen %3 und %4 liegen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be greater than %3</source>
+        <translation>%1: %2 muss größer als %3 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be %3, not %4</source>
+        <translation>%1: %2 muss %3 sein, nicht %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be %3</source>
+        <translation>%1: %2 muss %3 sein</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>script: %1</source>
+        <translation>Skript: %1</translation>
+    </message>
+    <message>
+        <source>%1: script</source>
+        <translation>%1: Skript</translation>
+    </message>
+    <message>
+        <source>step %1 (%2): %3</source>
+        <translation>Schritt %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>step %1 (%2)</source>
+        <translation>Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -925,6 +1105,89 @@ Free software under the GNU General Public License, version 3 or later, without 
         <translation>Macht aus Stiftstrichen Schritt für Schritt Körper, mit einer Topologie-Bibliothek.
 
 Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, OpenSubdiv, CGAL und Eigen.</translation>
+    </message>
+</context>
+<context>
+    <name>Step</name>
+    <message>
+        <source>camera</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>thresholds</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>fillet</source>
+        <translation>Verrunden</translation>
+    </message>
+    <message>
+        <source>sharpen</source>
+        <translation>Schärfen</translation>
+    </message>
+    <message>
+        <source>crease</source>
+        <translation>Kantenschärfe</translation>
+    </message>
+    <message>
+        <source>subdivide</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>map_strokes</source>
+        <translation>Striche projizieren</translation>
+    </message>
+    <message>
+        <source>unmap_strokes</source>
+        <translation>Striche entfernen</translation>
+    </message>
+    <message>
+        <source>define_template</source>
+        <translation>Vorlage festlegen</translation>
+    </message>
+    <message>
+        <source>delete_solid</source>
+        <translation>Körper löschen</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>Beginn</translation>
     </message>
 </context>
 <context>

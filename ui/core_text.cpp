@@ -5,9 +5,12 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "core/base/words.h"
+#include "ui/file_sentences.h"
 
 namespace ew {
 
@@ -255,6 +258,7 @@ constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "%1 or %2"),
                                   QT_TRANSLATE_NOOP("Core", "a picture"),
                                   QT_TRANSLATE_NOOP("Core", "a PDF document"),
                                   QT_TRANSLATE_NOOP("Core", "a ZIP package, as 3MF files are"),
+                                  QT_TRANSLATE_NOOP("Core", "a database of another program"),
                                   QT_TRANSLATE_NOOP("Core", "a glTF mesh"),
                                   QT_TRANSLATE_NOOP("Core", "a PLY mesh"),
                                   QT_TRANSLATE_NOOP("Core", "an STL mesh"),
@@ -280,8 +284,15 @@ struct Wording {
     QRegularExpression pattern;
 };
 
-template <std::size_t N>
-std::vector<Wording> wordings(const char* const (&sources)[N]) {
+/// Those of two lists. A phrase without a place is one that was meant word for word: "an STL mesh"
+/// is not "an %1". So these come first.
+std::vector<Wording> wordings(std::span<const char* const> some,
+                              std::span<const char* const> more) {
+    std::vector<const char*> sources(some.begin(), some.end());
+    sources.insert(sources.end(), more.begin(), more.end());
+    std::stable_partition(sources.begin(), sources.end(), [](const char* source) {
+        return !place().match(QString::fromUtf8(source)).hasMatch();
+    });
     std::vector<Wording> all;
     for (const char* source : sources) {
         // Its parts are in the order of their numbers.
@@ -324,8 +335,8 @@ QString translatedBy(const std::vector<Wording>& wordings, const QString& englis
 }
 
 QString translated(const QString& english, bool isPart) {
-    static const std::vector<Wording> kWholes = wordings(kSentences);
-    static const std::vector<Wording> kPieces = wordings(kParts);
+    static const std::vector<Wording> kWholes = wordings(kSentences, kFileSentences);
+    static const std::vector<Wording> kPieces = wordings(kParts, kFileParts);
     QString text = translatedBy(kWholes, english);
     if (text.isEmpty() && isPart) text = translatedBy(kPieces, english);
     if (!text.isEmpty()) return text;
@@ -339,6 +350,10 @@ QString solidText(const std::string& templateName) {
         if (templateName == n.name) return QCoreApplication::translate(kContext, n.noun);
     }
     return translated(QString::fromStdString(withArticle(templateName)), true);
+}
+
+QString stepText(const std::string& word) {
+    return QCoreApplication::translate("Step", word.c_str());
 }
 
 QString coreText(const std::string& english) {

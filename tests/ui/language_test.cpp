@@ -7,34 +7,17 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
-#include <QTranslator>
 #include <QUndoStack>
 #include <set>
 
 #include "core/document/step_names.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/german_fixture.h"
 #include "ui/app_setup.h"
 #include "ui/core_text.h"
 #include "ui/panels/graph_panel.h"
 
 namespace ew::test {
 namespace {
-
-class German : public WindowTest {
-  protected:
-    void SetUp() override {
-        ASSERT_TRUE(translator_.load(QLocale("de"), "edgewright", "_", ":/translations"));
-        // On top of the English that main() chose; taken off again for the other tests.
-        ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
-        WindowTest::SetUp();
-    }
-    void TearDown() override {
-        WindowTest::TearDown();
-        QCoreApplication::removeTranslator(&translator_);
-    }
-
-    QTranslator translator_;
-};
 
 TEST_F(German, MenusPanelsAndPluralsAreGerman) {
     QStringList menus;

@@ -280,7 +280,7 @@ bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& scr
         const auto file = fileOfStep(script.steps[static_cast<std::size_t>(step.index)]);
         leftOut << QStringLiteral("%1 (%2 %3)")
                        .arg(step.index)
-                       .arg(QString::fromStdString(step.name), QString::fromStdString(*file));
+                       .arg(stepText(step.name), QString::fromStdString(*file));
     }
     QString told;
     if (!leftOut.isEmpty()) {
@@ -291,7 +291,7 @@ bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& scr
     if (failed == nullptr) return report({}, told);
     QString text = tr("Step %1 of the script (%2): %3")
                        .arg(failed->index)
-                       .arg(QString::fromStdString(failed->name), coreText(failed->error->message));
+                       .arg(stepText(failed->name), coreText(failed->error->message));
     if (!told.isEmpty()) text += ' ' + told;
     return report(fail(failed->error->code, text.toStdString()), {});
 }
