@@ -1224,20 +1224,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Eindeutiges von &amp;selbst anwenden</translation>
     </message>
     <message>
-        <source>A&amp;pply</source>
-        <translation>An&amp;wenden</translation>
-    </message>
-    <message>
         <source>When one reading is clearly the best, it becomes a solid about a second after the pen is lifted.</source>
         <translation>Ist eine Lesart eindeutig die beste, wird sie etwa eine Sekunde nach dem Absetzen des Stifts zum Körper.</translation>
     </message>
     <message>
         <source>Make a solid of the chosen reading (Enter)</source>
         <translation>Aus der gewählten Lesart einen Körper machen (Eingabetaste)</translation>
-    </message>
-    <message>
-        <source>D&amp;epth</source>
-        <translation>&amp;Tiefe</translation>
     </message>
     <message>
         <source>The front is taken as drawn. Depth is this many times the length of the slanted lines.</source>
@@ -1269,6 +1261,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>%n Lesart</numerusform>
             <numerusform>%n Lesarten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
     </message>
 </context>
 <context>
@@ -1488,12 +1488,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Schritte als S&amp;kript speichern …</translation>
     </message>
     <message>
-        <source>S&amp;creenshot…</source>
-        <translation>Bildschirmf&amp;oto …</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>Be&amp;enden</translation>
     </message>
     <message>
         <source>There are no examples</source>
@@ -1642,6 +1638,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Re&amp;vert</source>
         <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Screensho&amp;t…</source>
+        <translation>Bildschirmf&amp;oto …</translation>
     </message>
 </context>
 <context>
@@ -2017,10 +2017,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Ihre Verrundungen entfernen</translation>
     </message>
     <message>
-        <source>S&amp;mooth surface</source>
-        <translation>&amp;Glatte Fläche</translation>
-    </message>
-    <message>
         <source>The smooth surface over the solid, on and off</source>
         <translation>Die glatte Fläche über dem Körper ein- und ausschalten</translation>
     </message>
@@ -2047,6 +2043,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th surface</source>
+        <translation>&amp;Glatte Fläche</translation>
     </message>
 </context>
 <context>
@@ -2123,10 +2123,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Was ein Klick wählt. Mit der Umschalttaste kommt es hinzu oder wird herausgenommen.</translation>
     </message>
     <message>
-        <source>&amp;Edges</source>
-        <translation>Ka&amp;nten</translation>
-    </message>
-    <message>
         <source>A &amp;click picks</source>
         <translation>Kli&amp;ck wählt</translation>
     </message>
@@ -2159,10 +2155,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>&amp;Radius</translation>
     </message>
     <message>
-        <source>Se&amp;gments</source>
-        <translation>Se&amp;gmente</translation>
-    </message>
-    <message>
         <source>click an edge in the drawing</source>
         <translation>Kante in der Zeichnung anklicken</translation>
     </message>
@@ -2185,10 +2177,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Smooth surface</source>
         <translation>Glatte Fläche</translation>
-    </message>
-    <message>
-        <source>&amp;Smooth surface over the solid</source>
-        <translation>Glatte &amp;Fläche über dem Körper</translation>
     </message>
     <message>
         <source>Catmull-Clark</source>
@@ -2219,24 +2207,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Kein Punkt der Fläche liegt weiter als das von ihren Dreiecken entfernt.</translation>
     </message>
     <message>
-        <source>Show the &amp;cage over it</source>
-        <translation>Kontrollnetz ze&amp;igen</translation>
-    </message>
-    <message>
-        <source>Sche&amp;me</source>
-        <translation>Sche&amp;ma</translation>
-    </message>
-    <message>
-        <source>&amp;Detail</source>
-        <translation>F&amp;einheit</translation>
-    </message>
-    <message>
         <source>&amp;Levels</source>
         <translation>St&amp;ufen</translation>
-    </message>
-    <message>
-        <source>&amp;Tolerance</source>
-        <translation>To&amp;leranz</translation>
     </message>
     <message>
         <source> MB</source>
@@ -2261,14 +2233,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Set</source>
         <translation>Setzen</translation>
-    </message>
-    <message>
-        <source>Keep sharp c&amp;orners in place</source>
-        <translation>Scharfe Ec&amp;ken festhalten</translation>
-    </message>
-    <message>
-        <source>Sha&amp;rp edges</source>
-        <translation>Kan&amp;tenschärfe</translation>
     </message>
     <message>
         <source>Chosen edges</source>
@@ -2306,6 +2270,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Colour of strokes</source>
         <translation>Farbe der Striche</translation>
     </message>
+    <message>
+        <source>Ed&amp;ges</source>
+        <translation>Kant&amp;en</translation>
+    </message>
+    <message>
+        <source>Seg&amp;ments</source>
+        <translation>Se&amp;gmente</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th surface over the solid</source>
+        <translation>Glatte &amp;Fläche über dem Körper</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the cage over it</source>
+        <translation>Kontro&amp;llnetz zeigen</translation>
+    </message>
+    <message>
+        <source>Scheme</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>&amp;Keep sharp corners in place</source>
+        <translation>Scharfe Ecken am &amp;Platz halten</translation>
+    </message>
+    <message>
+        <source>Sharp edges</source>
+        <translation>Kantenschärfe</translation>
+    </message>
 </context>
 <context>
     <name>ew::TemplateDialog</name>
@@ -2341,16 +2341,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>ew::TemplatePanel</name>
     <message>
-        <source>Add &amp;solid as template…</source>
-        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
-    </message>
-    <message>
         <source>Templates</source>
         <translation>Vorlagen</translation>
     </message>
     <message>
         <source>Open template f&amp;older</source>
-        <translation>&amp;Ordner der Vorlagen öffnen</translation>
+        <translation>Ordner der &amp;Vorlagen öffnen</translation>
     </message>
     <message>
         <source>A template file that is put there is used from the next start on.</source>
@@ -2388,6 +2384,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Also read as: %1</source>
         <translation>Auch gelesen als: %1</translation>
     </message>
+    <message>
+        <source>Add solid as tem&amp;plate…</source>
+        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
+    </message>
 </context>
 <context>
     <name>ew::ThresholdPanel</name>
@@ -2396,20 +2396,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Distance</source>
-        <translation>&amp;Abstand</translation>
-    </message>
-    <message>
         <source> px</source>
         <translation> px</translation>
     </message>
     <message>
         <source>How far apart two stroke ends may be and still meet in one corner, and how far the eraser reaches. It is the ring round the pen tip.</source>
         <translation>Wie weit zwei Strichenden auseinanderliegen dürfen und sich doch in einer Ecke treffen, und wie weit der Radiergummi reicht. Es ist der Ring um die Stiftspitze.</translation>
-    </message>
-    <message>
-        <source>An&amp;gle</source>
-        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>°</source>
@@ -2435,6 +2427,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>%1 threshold</source>
         <translation>Schwelle: %1</translation>
     </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation>Absta&amp;nd</translation>
+    </message>
+    <message>
+        <source>A&amp;ngle</source>
+        <translation>W&amp;inkel</translation>
+    </message>
 </context>
 <context>
     <name>ew::ViewActions</name>
@@ -2449,10 +2449,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>&amp;Hidden edges</source>
         <translation>&amp;Verdeckte Kanten</translation>
-    </message>
-    <message>
-        <source>Soft s&amp;hadows</source>
-        <translation>Weiche &amp;Schatten</translation>
     </message>
     <message>
         <source>Soft shadows in corners; slow without a graphics card</source>
@@ -2507,10 +2503,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>In der Zeichnung zeigen, was aus ihr gelesen wird (R)</translation>
     </message>
     <message>
-        <source>T&amp;heme</source>
-        <translation>&amp;Darstellung</translation>
-    </message>
-    <message>
         <source>&amp;System</source>
         <translation>&amp;System</translation>
     </message>
@@ -2521,6 +2513,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>&amp;Dark</source>
         <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Soft shado&amp;ws</source>
+        <translation>Weiche Scha&amp;tten</translation>
+    </message>
+    <message>
+        <source>Th&amp;eme</source>
+        <translation>&amp;Darstellung</translation>
     </message>
 </context>
 <context>

@@ -128,7 +128,7 @@ void FileActions::fill(QMenu* menu) {
     menu->addAction(tr("Save what was done as a s&cript\u2026"), this, &FileActions::saveScript);
     menu->addSeparator();
     menu->addAction(exportAction);
-    menu->addAction(tr("S&creenshot\u2026"), this, &FileActions::screenshot);
+    menu->addAction(tr("Screensho&t\u2026"), this, &FileActions::screenshot);
     menu->addSeparator();
     QAction* quit = menu->addAction(tr("&Quit"), window_, &QWidget::close);
     quit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
