@@ -52,7 +52,8 @@ void describe(QCommandLineParser& parser) {
     parser.addOption({"language", "de or en; otherwise the system's.", "CODE"});
     parser.addOption({"theme", "light, dark or system.", "NAME"});
     parser.addOption({"size", "Size of the window.", "WxH"});
-    parser.addOption({"screenshot", "Write a picture of the window, then quit.", "FILE.png"});
+    parser.addOption(
+        {"screenshot", "Write a picture of the window (.png, .jpg), then quit.", "FILE"});
     parser.addOption({"first-frame", "Print the time to the first picture [ms], then quit."});
 }
 
@@ -89,6 +90,9 @@ ew::Result<Arguments> readArguments() {
         arguments.size = *size;
     }
     arguments.screenshot = parser.value("screenshot");
+    if (!arguments.screenshot.isEmpty()) {
+        if (auto ok = ew::checkPictureName(arguments.screenshot); !ok) return ew::fail(ok.error());
+    }
     arguments.firstFrame = parser.isSet("first-frame");
     return arguments;
 }

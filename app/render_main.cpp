@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
     ew::Document document(load->library);
     if (auto ok = document.open(arguments[0]); !ok) return complain(ok.error().message);
     if (auto ok = ew::renderScreenshot(document, arguments[1], *size, look); !ok) {
-        const bool unwritable = ok.error().code == ew::Errc::CannotWrite;
+        const bool unwritable = ok.error().code == ew::Errc::CannotWrite ||
+                                ok.error().code == ew::Errc::UnknownExtension;
         return complain(ok.error().message, unwritable ? kCannotWrite : kUnusable);
     }
     return 0;

@@ -72,14 +72,6 @@
         <translation>Von hier aus lesbar als %1 oder etwas Einfacheres; auswählen, oder die Ansicht drehen und neu zeichnen.</translation>
     </message>
     <message>
-        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5).</source>
-        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4 und %5).</translation>
-    </message>
-    <message>
-        <source>No template shows %1 and %2 like this. The nearest is %3 (it shows %4).</source>
-        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zeigt %4).</translation>
-    </message>
-    <message>
         <source>No template shows %1 and %2 like this. The nearest is %3, but the lines meet in another way.</source>
         <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3, aber dort treffen sich die Linien anders.</translation>
     </message>
@@ -380,10 +372,6 @@
         <translation>Nehmen: %1</translation>
     </message>
     <message>
-        <source>belongs to no region</source>
-        <translation>gehört zu keinem Gebiet</translation>
-    </message>
-    <message>
         <source>a dot</source>
         <translation>ein Punkt</translation>
     </message>
@@ -438,14 +426,6 @@
     <message>
         <source>%1 edges</source>
         <translation>%1 Kanten</translation>
-    </message>
-    <message>
-        <source>%1 more</source>
-        <translation>%1 mehr</translation>
-    </message>
-    <message>
-        <source>%1 fewer</source>
-        <translation>%1 weniger</translation>
     </message>
     <message>
         <source>Parallel projection</source>
@@ -775,6 +755,214 @@
         <source>the file cannot be read or written (%1)</source>
         <translation>die Datei lässt sich nicht lesen oder schreiben (%1)</translation>
     </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 missing, %5 too many).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu wenig: %4, zu viel: %5).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 missing).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu wenig: %4).</translation>
+    </message>
+    <message>
+        <source>No template shows %1 and %2 like this. The nearest is %3 (%4 too many).</source>
+        <translation>Keine Vorlage zeigt so %1 und %2. Am nächsten ist: %3 (zu viel: %4).</translation>
+    </message>
+    <message>
+        <source>Join the nearest ends</source>
+        <translation>Die nächsten Enden verbinden</translation>
+    </message>
+    <message>
+        <source>is part of no face</source>
+        <translation>gehört zu keiner Fläche</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Linie</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Linien</translation>
+    </message>
+    <message>
+        <source>a database of another program</source>
+        <translation>eine Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>%1: not valid JSON at byte %2</source>
+        <translation>%1: kein gültiges JSON bei Byte %2</translation>
+    </message>
+    <message>
+        <source>%1: the key %2 comes twice in one object</source>
+        <translation>%1: der Schlüssel %2 steht zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>%1: a number before byte %2 is beyond the range of numbers</source>
+        <translation>%1: eine Zahl vor Byte %2 ist größer, als Zahlen sein können</translation>
+    </message>
+    <message>
+        <source>%1: the file holds too many values</source>
+        <translation>%1: die Datei enthält zu viele Werte</translation>
+    </message>
+    <message>
+        <source>%1: nested deeper than %2 levels</source>
+        <translation>%1: tiefer als %2 Stufen verschachtelt</translation>
+    </message>
+    <message>
+        <source>%1: larger than %2 MiB</source>
+        <translation>%1: größer als %2 MiB</translation>
+    </message>
+    <message>
+        <source>%1: this is not a sketch script (its format is %2)</source>
+        <translation>%1: das ist kein Zeichenskript (sein Format ist %2)</translation>
+    </message>
+    <message>
+        <source>%1: this is not an Edgewright document (its format is %2)</source>
+        <translation>%1: das ist kein Edgewright-Dokument (sein Format ist %2)</translation>
+    </message>
+    <message>
+        <source>%1: version %2 is not known; this program reads version 1</source>
+        <translation>%1: Version %2 ist nicht bekannt; dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 steps</source>
+        <translation>%1: mehr als %2 Schritte</translation>
+    </message>
+    <message>
+        <source>%1: %2: the key %3 or %4 is missing</source>
+        <translation>%1: %2: der Schlüssel %3 oder %4 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2: the key %3 is missing</source>
+        <translation>%1: %2: der Schlüssel %3 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2: unknown key %3</source>
+        <translation>%1: %2: unbekannter Schlüssel %3</translation>
+    </message>
+    <message>
+        <source>%1: %2: either %3 or %4, not both</source>
+        <translation>%1: %2: entweder %3 oder %4, nicht beide</translation>
+    </message>
+    <message>
+        <source>%1: %2: there is no step called %3</source>
+        <translation>%1: %2: es gibt keinen Schritt namens %3</translation>
+    </message>
+    <message>
+        <source>%1: %2: the pressure must be from 0 to 1</source>
+        <translation>%1: %2: der Druck muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>%1: %2 names no edge</source>
+        <translation>%1: %2 nennt keine Kante</translation>
+    </message>
+    <message>
+        <source>%1: %2 is too far away</source>
+        <translation>%1: %2 ist zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>%1: %2 must hold numbers only</source>
+        <translation>%1: %2 darf nur Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>%1: %2 must name a template</source>
+        <translation>%1: %2 muss eine Vorlage nennen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must name a file</source>
+        <translation>%1: %2 muss eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a direction, not zero and not huge</source>
+        <translation>%1: %2 muss eine Richtung sein, nicht null und nicht riesig</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a list of %3 numbers</source>
+        <translation>%1: %2 muss eine Liste aus %3 Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a colour such as %3</source>
+        <translation>%1: %2 muss eine Farbe wie %3 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be auto or a number from 0 to 10</source>
+        <translation>%1: %2 muss auto oder eine Zahl von 0 bis 10 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be from %3 to %4 pixels each way</source>
+        <translation>%1: %2 muss in jeder Richtung %3 bis %4 Pixel groß sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be from %3 to %4</source>
+        <translation>%1: %2 muss zwischen %3 und %4 liegen</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be greater than %3</source>
+        <translation>%1: %2 muss größer als %3 sein</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be %3, not %4</source>
+        <translation>%1: %2 muss %3 sein, nicht %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be %3</source>
+        <translation>%1: %2 muss %3 sein</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>script: %1</source>
+        <translation>Skript: %1</translation>
+    </message>
+    <message>
+        <source>%1: script</source>
+        <translation>%1: Skript</translation>
+    </message>
+    <message>
+        <source>step %1 (%2): %3</source>
+        <translation>Schritt %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>step %1 (%2)</source>
+        <translation>Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -928,6 +1116,89 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>Step</name>
+    <message>
+        <source>camera</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>thresholds</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>fillet</source>
+        <translation>Verrunden</translation>
+    </message>
+    <message>
+        <source>sharpen</source>
+        <translation>Schärfen</translation>
+    </message>
+    <message>
+        <source>crease</source>
+        <translation>Kantenschärfe</translation>
+    </message>
+    <message>
+        <source>subdivide</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>map_strokes</source>
+        <translation>Striche projizieren</translation>
+    </message>
+    <message>
+        <source>unmap_strokes</source>
+        <translation>Striche entfernen</translation>
+    </message>
+    <message>
+        <source>define_template</source>
+        <translation>Vorlage festlegen</translation>
+    </message>
+    <message>
+        <source>delete_solid</source>
+        <translation>Körper löschen</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>begin</source>
+        <translation>Beginn</translation>
+    </message>
+</context>
+<context>
     <name>ew::CandidateCard</name>
     <message>
         <source>add</source>
@@ -961,20 +1232,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Eindeutiges von &amp;selbst anwenden</translation>
     </message>
     <message>
-        <source>A&amp;pply</source>
-        <translation>An&amp;wenden</translation>
-    </message>
-    <message>
         <source>When one reading is clearly the best, it becomes a solid about a second after the pen is lifted.</source>
         <translation>Ist eine Lesart eindeutig die beste, wird sie etwa eine Sekunde nach dem Absetzen des Stifts zum Körper.</translation>
     </message>
     <message>
         <source>Make a solid of the chosen reading (Enter)</source>
         <translation>Aus der gewählten Lesart einen Körper machen (Eingabetaste)</translation>
-    </message>
-    <message>
-        <source>D&amp;epth</source>
-        <translation>&amp;Tiefe</translation>
     </message>
     <message>
         <source>The front is taken as drawn. Depth is this many times the length of the slanted lines.</source>
@@ -1006,6 +1269,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>%n Lesart</numerusform>
             <numerusform>%n Lesarten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
     </message>
 </context>
 <context>
@@ -1225,12 +1496,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Schritte als S&amp;kript speichern …</translation>
     </message>
     <message>
-        <source>S&amp;creenshot…</source>
-        <translation>Bildschirmf&amp;oto …</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>Be&amp;enden</translation>
     </message>
     <message>
         <source>There are no examples</source>
@@ -1367,6 +1634,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Reverted to %1.</source>
         <translation>Zurück auf dem Stand von %1.</translation>
+    </message>
+    <message>
+        <source>Without saving they are in no file, but File, Recover… offers them for a while.</source>
+        <translation>Ungespeichert stehen sie in keiner Datei, aber „Datei, Wiederherstellen …“ bietet sie noch eine Weile an.</translation>
+    </message>
+    <message>
+        <source>Revert to the saved file?</source>
+        <translation>Zur gespeicherten Datei zurück?</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Screensho&amp;t…</source>
+        <translation>Bildschirmf&amp;oto …</translation>
     </message>
 </context>
 <context>
@@ -1629,6 +1912,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::NumberBox</name>
+    <message>
+        <source>“%1” is not between %2 and %3; the old number stays.</source>
+        <translation>„%1“ liegt nicht zwischen %2 und %3; die alte Zahl bleibt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; the old one stays.</source>
+        <translation>„%1“ ist keine Zahl; die alte bleibt.</translation>
+    </message>
+</context>
+<context>
     <name>ew::RecoverDialog</name>
     <message>
         <source>Recover documents</source>
@@ -1731,10 +2025,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Ihre Verrundungen entfernen</translation>
     </message>
     <message>
-        <source>S&amp;mooth surface</source>
-        <translation>&amp;Glatte Fläche</translation>
-    </message>
-    <message>
         <source>The smooth surface over the solid, on and off</source>
         <translation>Die glatte Fläche über dem Körper ein- und ausschalten</translation>
     </message>
@@ -1761,6 +2051,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th surface</source>
+        <translation>&amp;Glatte Fläche</translation>
     </message>
 </context>
 <context>
@@ -1837,10 +2131,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Was ein Klick wählt. Mit der Umschalttaste kommt es hinzu oder wird herausgenommen.</translation>
     </message>
     <message>
-        <source>&amp;Edges</source>
-        <translation>Ka&amp;nten</translation>
-    </message>
-    <message>
         <source>A &amp;click picks</source>
         <translation>Kli&amp;ck wählt</translation>
     </message>
@@ -1873,10 +2163,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>&amp;Radius</translation>
     </message>
     <message>
-        <source>Se&amp;gments</source>
-        <translation>Se&amp;gmente</translation>
-    </message>
-    <message>
         <source>click an edge in the drawing</source>
         <translation>Kante in der Zeichnung anklicken</translation>
     </message>
@@ -1899,10 +2185,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Smooth surface</source>
         <translation>Glatte Fläche</translation>
-    </message>
-    <message>
-        <source>&amp;Smooth surface over the solid</source>
-        <translation>Glatte &amp;Fläche über dem Körper</translation>
     </message>
     <message>
         <source>Catmull-Clark</source>
@@ -1933,24 +2215,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Kein Punkt der Fläche liegt weiter als das von ihren Dreiecken entfernt.</translation>
     </message>
     <message>
-        <source>Show the &amp;cage over it</source>
-        <translation>Kontrollnetz ze&amp;igen</translation>
-    </message>
-    <message>
-        <source>Sche&amp;me</source>
-        <translation>Sche&amp;ma</translation>
-    </message>
-    <message>
-        <source>&amp;Detail</source>
-        <translation>F&amp;einheit</translation>
-    </message>
-    <message>
         <source>&amp;Levels</source>
         <translation>St&amp;ufen</translation>
-    </message>
-    <message>
-        <source>&amp;Tolerance</source>
-        <translation>To&amp;leranz</translation>
     </message>
     <message>
         <source> MB</source>
@@ -1975,14 +2241,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Set</source>
         <translation>Setzen</translation>
-    </message>
-    <message>
-        <source>Keep sharp c&amp;orners in place</source>
-        <translation>Scharfe Ec&amp;ken festhalten</translation>
-    </message>
-    <message>
-        <source>Sha&amp;rp edges</source>
-        <translation>Kan&amp;tenschärfe</translation>
     </message>
     <message>
         <source>Chosen edges</source>
@@ -2020,6 +2278,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Colour of strokes</source>
         <translation>Farbe der Striche</translation>
     </message>
+    <message>
+        <source>Ed&amp;ges</source>
+        <translation>Kant&amp;en</translation>
+    </message>
+    <message>
+        <source>Seg&amp;ments</source>
+        <translation>Se&amp;gmente</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th surface over the solid</source>
+        <translation>Glatte &amp;Fläche über dem Körper</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the cage over it</source>
+        <translation>Kontro&amp;llnetz zeigen</translation>
+    </message>
+    <message>
+        <source>Scheme</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>&amp;Keep sharp corners in place</source>
+        <translation>Scharfe Ecken am &amp;Platz halten</translation>
+    </message>
+    <message>
+        <source>Sharp edges</source>
+        <translation>Kantenschärfe</translation>
+    </message>
 </context>
 <context>
     <name>ew::TemplateDialog</name>
@@ -2055,16 +2349,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>ew::TemplatePanel</name>
     <message>
-        <source>Add &amp;solid as template…</source>
-        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
-    </message>
-    <message>
         <source>Templates</source>
         <translation>Vorlagen</translation>
     </message>
     <message>
         <source>Open template f&amp;older</source>
-        <translation>&amp;Ordner der Vorlagen öffnen</translation>
+        <translation>Ordner der &amp;Vorlagen öffnen</translation>
     </message>
     <message>
         <source>A template file that is put there is used from the next start on.</source>
@@ -2102,6 +2392,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Also read as: %1</source>
         <translation>Auch gelesen als: %1</translation>
     </message>
+    <message>
+        <source>Add solid as tem&amp;plate…</source>
+        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
+    </message>
 </context>
 <context>
     <name>ew::ThresholdPanel</name>
@@ -2110,20 +2404,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Distance</source>
-        <translation>&amp;Abstand</translation>
-    </message>
-    <message>
         <source> px</source>
         <translation> px</translation>
     </message>
     <message>
         <source>How far apart two stroke ends may be and still meet in one corner, and how far the eraser reaches. It is the ring round the pen tip.</source>
         <translation>Wie weit zwei Strichenden auseinanderliegen dürfen und sich doch in einer Ecke treffen, und wie weit der Radiergummi reicht. Es ist der Ring um die Stiftspitze.</translation>
-    </message>
-    <message>
-        <source>An&amp;gle</source>
-        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>°</source>
@@ -2149,6 +2435,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>%1 threshold</source>
         <translation>Schwelle: %1</translation>
     </message>
+    <message>
+        <source>D&amp;istance</source>
+        <translation>Absta&amp;nd</translation>
+    </message>
+    <message>
+        <source>A&amp;ngle</source>
+        <translation>W&amp;inkel</translation>
+    </message>
 </context>
 <context>
     <name>ew::ViewActions</name>
@@ -2163,10 +2457,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>&amp;Hidden edges</source>
         <translation>&amp;Verdeckte Kanten</translation>
-    </message>
-    <message>
-        <source>Soft s&amp;hadows</source>
-        <translation>Weiche &amp;Schatten</translation>
     </message>
     <message>
         <source>Soft shadows in corners; slow without a graphics card</source>
@@ -2221,10 +2511,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>In der Zeichnung zeigen, was aus ihr gelesen wird (R)</translation>
     </message>
     <message>
-        <source>T&amp;heme</source>
-        <translation>&amp;Darstellung</translation>
-    </message>
-    <message>
         <source>&amp;System</source>
         <translation>&amp;System</translation>
     </message>
@@ -2236,6 +2522,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>&amp;Dark</source>
         <translation>&amp;Dunkel</translation>
     </message>
+    <message>
+        <source>Soft shado&amp;ws</source>
+        <translation>Weiche Scha&amp;tten</translation>
+    </message>
+    <message>
+        <source>Th&amp;eme</source>
+        <translation>&amp;Darstellung</translation>
+    </message>
 </context>
 <context>
     <name>ew::ViewportWidget</name>
@@ -2246,6 +2540,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Draw with the pen or the left mouse button. The middle or right button orbits.</source>
         <translation>Mit dem Stift oder der linken Maustaste zeichnen. Die mittlere oder rechte Maustaste dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::WholeNumberBox</name>
+    <message>
+        <source>“%1” is not a whole number; the old one stays.</source>
+        <translation>„%1“ ist keine ganze Zahl; die alte bleibt.</translation>
     </message>
 </context>
 <context>

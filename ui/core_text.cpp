@@ -5,9 +5,12 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "core/base/words.h"
+#include "ui/file_sentences.h"
 
 namespace ew {
 
@@ -68,9 +71,12 @@ constexpr const char* kSentences[] = {
                       "Seen from here this could be %1, or something simpler; choose it, or turn "
                       "the view and draw again."),
     QT_TRANSLATE_NOOP(
-        "Core", "No template shows %1 and %2 like this. The nearest is %3 (it shows %4 and %5)."),
+        "Core",
+        "No template shows %1 and %2 like this. The nearest is %3 (%4 missing, %5 too many)."),
     QT_TRANSLATE_NOOP("Core",
-                      "No template shows %1 and %2 like this. The nearest is %3 (it shows %4)."),
+                      "No template shows %1 and %2 like this. The nearest is %3 (%4 missing)."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No template shows %1 and %2 like this. The nearest is %3 (%4 too many)."),
     QT_TRANSLATE_NOOP("Core",
                       "No template shows %1 and %2 like this. The nearest is %3, but the lines "
                       "meet in another way."),
@@ -184,6 +190,7 @@ constexpr const char* kSentences[] = {
                       "as OBJ, 3MF or glTF."),
     QT_TRANSLATE_NOOP("Core", "It lies far out: in the file, the origin is at %1 mm."),
     QT_TRANSLATE_NOOP("Core", "Join these ends"),
+    QT_TRANSLATE_NOOP("Core", "Join the nearest ends"),
     QT_TRANSLATE_NOOP("Core", "Raise the threshold to %1"),
     QT_TRANSLATE_NOOP("Core", "Raise the angle threshold to %1 degrees"),
     QT_TRANSLATE_NOOP("Core", "Drop this line"),
@@ -191,7 +198,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Keep drawing %1"),
     QT_TRANSLATE_NOOP("Core", "Take it as %1 all the same"),
     QT_TRANSLATE_NOOP("Core", "Take the %1"), QT_TRANSLATE_NOOP("Core", "Take: %1"),
-    QT_TRANSLATE_NOOP("Core", "belongs to no region"), QT_TRANSLATE_NOOP("Core", "a dot"),
+    QT_TRANSLATE_NOOP("Core", "is part of no face"), QT_TRANSLATE_NOOP("Core", "a dot"),
     QT_TRANSLATE_NOOP("Core", "a scribble"), QT_TRANSLATE_NOOP("Core", "a curve"),
     QT_TRANSLATE_NOOP("Core", "gap %1, threshold %2"),
     QT_TRANSLATE_NOOP("Core", "no right-angled corner looks like this"),
@@ -239,8 +246,8 @@ constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "%1 or %2"),
                                   QT_TRANSLATE_NOOP("Core", "%1 corners"),
                                   QT_TRANSLATE_NOOP("Core", "one edge"),
                                   QT_TRANSLATE_NOOP("Core", "%1 edges"),
-                                  QT_TRANSLATE_NOOP("Core", "%1 more"),
-                                  QT_TRANSLATE_NOOP("Core", "%1 fewer"),
+                                  QT_TRANSLATE_NOOP("Core", "one line"),
+                                  QT_TRANSLATE_NOOP("Core", "%1 lines"),
                                   QT_TRANSLATE_NOOP("Core", "adding %1"),
                                   QT_TRANSLATE_NOOP("Core", "cutting %1"),
                                   QT_TRANSLATE_NOOP("Core", "radius %1"),
@@ -256,6 +263,7 @@ constexpr const char* kParts[] = {QT_TRANSLATE_NOOP("Core", "%1 or %2"),
                                   QT_TRANSLATE_NOOP("Core", "a picture"),
                                   QT_TRANSLATE_NOOP("Core", "a PDF document"),
                                   QT_TRANSLATE_NOOP("Core", "a ZIP package, as 3MF files are"),
+                                  QT_TRANSLATE_NOOP("Core", "a database of another program"),
                                   QT_TRANSLATE_NOOP("Core", "a glTF mesh"),
                                   QT_TRANSLATE_NOOP("Core", "a PLY mesh"),
                                   QT_TRANSLATE_NOOP("Core", "an STL mesh"),
@@ -281,8 +289,15 @@ struct Wording {
     QRegularExpression pattern;
 };
 
-template <std::size_t N>
-std::vector<Wording> wordings(const char* const (&sources)[N]) {
+/// Those of two lists. A phrase without a place is one that was meant word for word: "an STL mesh"
+/// is not "an %1". So these come first.
+std::vector<Wording> wordings(std::span<const char* const> some,
+                              std::span<const char* const> more) {
+    std::vector<const char*> sources(some.begin(), some.end());
+    sources.insert(sources.end(), more.begin(), more.end());
+    std::stable_partition(sources.begin(), sources.end(), [](const char* source) {
+        return !place().match(QString::fromUtf8(source)).hasMatch();
+    });
     std::vector<Wording> all;
     for (const char* source : sources) {
         // Its parts are in the order of their numbers.
@@ -325,8 +340,8 @@ QString translatedBy(const std::vector<Wording>& wordings, const QString& englis
 }
 
 QString translated(const QString& english, bool isPart) {
-    static const std::vector<Wording> kWholes = wordings(kSentences);
-    static const std::vector<Wording> kPieces = wordings(kParts);
+    static const std::vector<Wording> kWholes = wordings(kSentences, kFileSentences);
+    static const std::vector<Wording> kPieces = wordings(kParts, kFileParts);
     QString text = translatedBy(kWholes, english);
     if (text.isEmpty() && isPart) text = translatedBy(kPieces, english);
     if (!text.isEmpty()) return text;
@@ -340,6 +355,10 @@ QString solidText(const std::string& templateName) {
         if (templateName == n.name) return QCoreApplication::translate(kContext, n.noun);
     }
     return translated(QString::fromStdString(withArticle(templateName)), true);
+}
+
+QString stepText(const std::string& word) {
+    return QCoreApplication::translate("Step", word.c_str());
 }
 
 QString coreText(const std::string& english) {

@@ -16,4 +16,7 @@ QString coreText(const std::string& english);
 /// "an L-prism"; with its article where the language wants one.
 QString solidText(const std::string& templateName);
 
+/// A step of a script by its word in files ("export"), in the language of the window.
+QString stepText(const std::string& word);
+
 }  // namespace ew

@@ -27,6 +27,7 @@
 #include "ui/apply_controller.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/live_reading.h"
+#include "ui/number_box.h"
 #include "ui/panels/candidate_panel.h"
 #include "ui/panels/graph_panel.h"
 #include "ui/panels/history_panel.h"
@@ -204,6 +205,14 @@ void MainWindow::buildPanels() {
         connect(number, &QAbstractSpinBox::editingFinished, this, [this, number] {
             if (number->hasFocus()) viewport_->setFocus();
         });
+        const auto tell = [this](const QString& why) {
+            messages_->showError({Errc::BadValue, why.toStdString(), {}});
+        };
+        if (auto* box = qobject_cast<NumberBox*>(number)) {
+            connect(box, &NumberBox::refused, this, tell);
+        } else if (auto* whole = qobject_cast<WholeNumberBox*>(number)) {
+            connect(whole, &WholeNumberBox::refused, this, tell);
+        }
     }
     tabifyDockWidget(panels_[3], panels_[5]);
     panels_[3]->raise();

@@ -68,6 +68,7 @@ bool WorkKeeper::offerLost() {
 }
 
 void WorkKeeper::offerAll() {
+    context_.messages.clearNotice();
     std::vector<WorkCopyEntry> there;
     for (const WorkCopyEntry& entry : folder_.list()) {
         if (!entry.open && !entry.problem) there.push_back(entry);

@@ -2,7 +2,9 @@
 #include "core/document/file_bytes.h"
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <sys/xattr.h>
 #include <unistd.h>
 
@@ -14,6 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -82,12 +85,18 @@ class OpenFile {
     int descriptor_;
 };
 
-/// Follows symbolic links to their end, where nothing need stand yet.
+bool isSystemsLink(const fs::path& path) {
+    struct statfs where {};
+    return ::statfs(path.parent_path().c_str(), &where) == 0 && where.f_type == PROC_SUPER_MAGIC;
+}
+
+/// Follows symbolic links to their end, where nothing need stand yet. The system's own link to
+/// what an open descriptor leads to is such an end: its text is no path where that is a pipe.
 /// \return 0 or an error number.
 int followLinks(fs::path& path) {
     std::error_code ec;
     for (int i = 0; i < kMostLinks; ++i) {
-        if (!fs::is_symlink(path, ec)) return 0;
+        if (!fs::is_symlink(path, ec) || isSystemsLink(path)) return 0;
         const fs::path next = fs::read_symlink(path, ec);
         if (ec) return ec.value();
         path = next.is_absolute() ? next : path.parent_path() / next;
@@ -138,6 +147,25 @@ int writeInPlace(const fs::path& path, off_t oldSize, std::string_view bytes) {
     return file.close();
 }
 
+/// The number of a descriptor of this program, where the path names one, as /dev/stdout does.
+std::optional<int> ownDescriptor(const fs::path& path) {
+    const std::string folder = path.parent_path().string();
+    if (folder != "/proc/self/fd" && folder != "/dev/fd") return std::nullopt;
+    const std::string name = path.filename().string();
+    int number = -1;
+    const char* end = name.data() + name.size();
+    const auto [last, error] = std::from_chars(name.data(), end, number);
+    if (error != std::errc() || last != end || number < 0) return std::nullopt;
+    return number;
+}
+
+/// Behind what was written to it before; a file that it leads to is not begun anew.
+int writeToDescriptor(int number, std::string_view bytes) {
+    const OpenFile file(::dup(number));
+    if (!file.isOpen()) return errno;
+    return file.write(bytes);
+}
+
 /// Into a pipe or a device.
 int writeThrough(const fs::path& path, std::string_view bytes) {
     OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
@@ -163,6 +191,7 @@ int openBeside(const fs::path& folder, mode_t mode, fs::path& beside) {
 
 int writeWhole(fs::path path, std::string_view bytes) {
     if (const int e = followLinks(path); e != 0) return e;
+    if (const auto own = ownDescriptor(path)) return writeToDescriptor(*own, bytes);
     struct stat old {};
     const bool exists = ::stat(path.c_str(), &old) == 0;
     if (!exists && errno != ENOENT) return errno;

@@ -4,7 +4,9 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "core/document/json_text.h"
 #include "core/document/recorder.h"
@@ -199,6 +201,21 @@ class StepRunner {
     StepReport& report_;
 };
 
+/// Where a file is or would be made once all symbolic links on the way are followed, also one that
+/// leads to what is not there yet.
+std::filesystem::path realPath(const QString& path) {
+    namespace fs = std::filesystem;
+    constexpr int kMostLinks = 40;  // what the system itself follows
+    std::error_code ec;
+    fs::path at = QFileInfo(path).filesystemAbsoluteFilePath();
+    for (int i = 0; i < kMostLinks; ++i) {
+        at = fs::weakly_canonical(at, ec);
+        if (!fs::is_symlink(at, ec)) break;
+        at = at.parent_path() / fs::read_symlink(at, ec);
+    }
+    return at;
+}
+
 }  // namespace
 
 const StepReport* ReplayReport::firstFailure() const {
@@ -243,7 +260,17 @@ Result<QString> pathInside(const QString& folder, const QString& path) {
                                         " must name a file inside the folder it is relative to "
                                         "(edgewright-replay --allow-outside allows others).");
     }
-    return QDir(folder.isEmpty() ? QStringLiteral(".") : folder).absoluteFilePath(clean);
+    const QString base = QDir(folder.isEmpty() ? QStringLiteral(".") : folder).absolutePath();
+    const QString whole = QDir(base).absoluteFilePath(clean);
+    const auto inside = realPath(base);
+    const auto real = realPath(whole);
+    const auto [end, rest] = std::mismatch(inside.begin(), inside.end(), real.begin(), real.end());
+    if (end != inside.end() || rest == real.end()) {
+        return fail(Errc::BadValue, "The path " + nameQuoted(path.toStdString()) +
+                                        " leads out of the folder it is relative to by a symbolic "
+                                        "link (edgewright-replay --allow-outside allows it).");
+    }
+    return whole;
 }
 
 Result<void> beginReplay(Document& document, const SketchScript& script) {

@@ -66,7 +66,8 @@ Result<std::size_t> findStep(const SketchScript& script, const std::string& name
 /// The file that a step writes or opens; nothing for any other step.
 std::optional<std::string> fileOfStep(const ScriptStep& step);
 
-/// A relative path inside a folder, as an absolute one. Errc::BadValue where it leads out of it.
+/// A relative path inside a folder, as an absolute one. Errc::BadValue where it leads out of it, by
+/// its text or by a symbolic link; the folder may be one itself.
 Result<QString> pathInside(const QString& folder, const QString& path);
 
 }  // namespace ew

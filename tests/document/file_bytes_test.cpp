@@ -8,6 +8,7 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <filesystem>
 #include <functional>
@@ -123,6 +124,31 @@ TEST_F(FileBytes, WhatIsNoPlainFileStaysWhatItIs) {
     EXPECT_FALSE(writeFileBytes(folder_.path(), "a folder"));
     EXPECT_FALSE(writeFileBytes("", "nowhere"));
     EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(FileBytes, ADescriptorOfTheProgramIsWrittenToAsItIs) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const QString number = QString::number(ends[1]);
+    EXPECT_TRUE(writeFileBytes("/proc/self/fd/" + number, "one "));
+    EXPECT_TRUE(writeFileBytes("/dev/fd/" + number, "two "));
+    EXPECT_TRUE(writeFileBytes(QStringLiteral("/proc/%1/fd/").arg(::getpid()) + number, "three"));
+    ASSERT_TRUE(QFile::link("/dev/fd/" + number, path("link")));
+    EXPECT_TRUE(writeFileBytes(path("link"), "!"));
+    ::close(ends[1]);
+    char buffer[64];
+    const ssize_t n = ::read(ends[0], buffer, sizeof(buffer));
+    EXPECT_EQ(std::string(buffer, static_cast<std::size_t>(std::max<ssize_t>(n, 0))),
+              "one two three!");
+    ::close(ends[0]);
+    EXPECT_FALSE(writeFileBytes("/dev/fd/" + number, "closed"));
+    // A file that stdout was sent to keeps what was said before.
+    const int file = ::open(local("log").c_str(), O_WRONLY | O_CREAT, 0600);
+    ASSERT_EQ(::write(file, "said ", 5), 5);
+    EXPECT_TRUE(writeFileBytes("/dev/fd/" + QString::number(file), "more "));
+    ASSERT_EQ(::write(file, "end", 3), 3);
+    ::close(file);
+    EXPECT_EQ(read("log"), "said more end");
 }
 
 TEST_F(FileBytes, StampsTellOneWritingFromAnother) {

@@ -269,6 +269,28 @@ TEST_F(ReplayProgram, WritesBelowItsOutputFolderOnly) {
     EXPECT_TRUE(exists("abs.edgewright") && exists("up.edgewright"));
 }
 
+TEST_F(ReplayProgram, ALinkBelowTheOutputFolderIsNoWayOut) {
+    SketchScript box = drawnBox();
+    box.steps.emplace_back(ExportStep{"away/notes.obj"});
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("box.json"), writeSketchScript(box)));
+    ASSERT_TRUE(QDir(folder_.path()).mkpath("out") && QDir(folder_.path()).mkpath("elsewhere"));
+    ASSERT_TRUE(QFile::link("../elsewhere", folder_.filePath("out/away")));
+    const Outcome refused = run({"box.json", "--out", "out"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("--allow-outside"), std::string::npos) << refused.err;
+    EXPECT_FALSE(exists("elsewhere/notes.obj"));
+    EXPECT_EQ(run({"box.json", "--out", "out", "--allow-outside"}).status, 0);
+    EXPECT_TRUE(exists("elsewhere/notes.obj"));
+}
+
+TEST_F(ReplayProgram, TheReportGoesIntoThePipeThatStdoutIs) {
+    ASSERT_TRUE(writeFileBytes(folder_.filePath("box.json"), writeSketchScript(drawnBox())));
+    const Outcome r = run({"box.json", "--out", "out", "--report", "/dev/stdout"});
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_NE(r.out.find("solid: 8 vertices"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\"steps\""), std::string::npos) << r.out;
+}
+
 TEST_F(ReplayProgram, SaysWhatAFileOfAnotherKindIs) {
     const std::string stl = "solid box\nendsolid box\n";
     ASSERT_TRUE(writeFileBytes(folder_.filePath("bh.stl"), stl));

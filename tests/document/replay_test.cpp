@@ -7,6 +7,8 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QUndoStack>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/document/report.h"
@@ -346,6 +348,32 @@ TEST(PathInside, KeepsToItsFolder) {
         const auto path = pathInside("/a/b", bad);
         ASSERT_FALSE(path) << bad;
         EXPECT_EQ(path.error().code, Errc::BadValue);
+    }
+}
+
+TEST(PathInside, ALinkThatLeadsOutIsOutside) {
+    const QTemporaryDir folder;
+    const std::filesystem::path root = QFileInfo(folder.path()).filesystemCanonicalFilePath();
+    std::filesystem::create_directories(root / "out" / "deep");
+    std::filesystem::create_directories(root / "away");
+    std::ofstream(root / "away" / "there.obj") << "mine";
+    std::filesystem::create_directory_symlink("../away", root / "out" / "folder");
+    std::filesystem::create_symlink("../away/there.obj", root / "out" / "file.obj");
+    std::filesystem::create_symlink("../away/later.obj", root / "out" / "dangling.obj");
+    std::filesystem::create_symlink("round.obj", root / "out" / "round.obj");
+    std::filesystem::create_directory_symlink("deep", root / "out" / "inside");
+    std::filesystem::create_directory_symlink("out", root / "linked");
+    const QString out = folder.filePath("out");
+    for (const char* bad : {"folder/a.obj", "folder/there.obj", "folder/new/a.obj", "file.obj",
+                            "dangling.obj", "deep/../folder/a.obj"}) {
+        const auto path = pathInside(out, bad);
+        ASSERT_FALSE(path) << bad;
+        EXPECT_EQ(path.error().code, Errc::BadValue);
+        EXPECT_NE(path.error().message.find("symbolic link"), std::string::npos);
+    }
+    for (const char* good : {"a.obj", "deep/a.obj", "inside/a.obj", "new/folder/a.obj"}) {
+        EXPECT_TRUE(pathInside(out, good)) << good;
+        EXPECT_TRUE(pathInside(folder.filePath("linked"), good)) << good;
     }
 }
 

@@ -229,6 +229,15 @@ TEST(Interpret, AnOpenEndIsToldWithItsGapAndRepairs) {
     }
 }
 
+TEST(Interpret, OpenEndsThatCloseNothingAreNotTold) {
+    const auto line = [](const Vec2& a, const Vec2& b) { return Stroke{{{a, 1, 0}, {b, 1, 0}}}; };
+    const auto r = readStrokes({line({600, 300}, {600, 450}), line({640, 300}, {760, 260})});
+    ASSERT_TRUE(r.problem);
+    EXPECT_EQ(r.problem->code, Errc::NoRegion);
+    EXPECT_TRUE(r.culprits.empty());
+    EXPECT_TRUE(r.repairs.empty());
+}
+
 TEST(Interpret, TheAngleThresholdDecidesParallels) {
     const InterpretOptions options;
     auto strokes = boxStrokes(options.camera, Vec3(60, 50, 50));

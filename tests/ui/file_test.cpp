@@ -224,5 +224,68 @@ TEST_F(Files, OpeningAScriptWritesNothing) {
         << said();
 }
 
+TEST_F(Files, SaveAsAsksOnlyAboutTheFileThatItReplaces) {
+    makeBox();
+    ASSERT_TRUE(writeFileBytes(path("bracket v1.2"), "mine"));
+    inDialogs({typeName(path("bracket v1.2"))}, [&] { trigger("Save as"); });
+    EXPECT_TRUE(QFileInfo(path("bracket v1.2.edgewright")).isFile());
+    EXPECT_EQ(bytesOf("bracket v1.2"), "mine");
+    inDialogs({typeName(path("bracket v1.2.edgewright")), replaceIt}, [&] { trigger("Save as"); });
+}
+
+TEST_F(Files, RevertingAsksAboutRevertingAndReplacesNoFile) {
+    makeBox();
+    ASSERT_TRUE(window_->files().saveTo(path("box.edgewright")));
+    drawLine(Hand::Mouse, {100, 100}, {200, 100});
+    const auto revertIt = [](QDialog& dialog) {
+        auto& box = dynamic_cast<QMessageBox&>(dialog);
+        EXPECT_FALSE((box.windowTitle() + box.text()).contains("eplac"))
+            << box.windowTitle().toStdString() << ": " << box.text().toStdString();
+        for (QAbstractButton* button : box.buttons()) {
+            EXPECT_NE(button->text(), "&Replace");
+            if (button->text().remove('&') == "Revert") return button->click();
+        }
+        ADD_FAILURE() << "no button for it";
+    };
+    inDialogs({revertIt}, [&] { trigger("Revert"); });
+    EXPECT_FALSE(document().isModified());
+    EXPECT_TRUE(document().pendingStrokes().empty());
+}
+
+TEST_F(Files, AnExampleIsNoPlaceForOnesOwnFiles) {
+    const QString examples = QStringLiteral(EDGEWRIGHT_SOURCE_DIR "/resources/examples");
+    ASSERT_TRUE(window_->files().openPath(examples + "/cube.json")) << said();
+    QString proposed;
+    const auto look = [&](QDialog& dialog) {
+        proposed = dynamic_cast<QFileDialog&>(dialog).directory().absolutePath();
+        giveUp(dialog);
+    };
+    inDialogs({look}, [&] { trigger("Export"); });
+    EXPECT_FALSE(proposed.startsWith(QDir(examples).absolutePath())) << proposed.toStdString();
+    ASSERT_TRUE(window_->files().saveScriptTo(path("lamp.json")));
+    ASSERT_TRUE(window_->files().openPath(path("lamp.json")));
+    inDialogs({look}, [&] { trigger("Export"); });
+    EXPECT_EQ(QDir(proposed).canonicalPath(), QDir(folder_.path()).canonicalPath());
+}
+
+TEST_F(Files, AnErrorIsGoneOnceSomethingElseIsBegun) {
+    makeBox();
+    const auto fails = [&] {
+        inDialogs({typeName(path("foo.json"))}, [&] { trigger("Save as"); });
+        return said().find("foo.json") != std::string::npos;
+    };
+    ASSERT_TRUE(fails());
+    for (const char* next : {"Save as", "Save a copy", "Export", "Screenshot", "Open\u2026"}) {
+        std::string seen = "none";
+        const auto look = [&](QDialog& dialog) {
+            seen = said();
+            giveUp(dialog);
+        };
+        inDialogs({look}, [&] { trigger(QString::fromUtf8(next)); });
+        EXPECT_EQ(seen.find("foo.json"), std::string::npos) << next << ": " << seen;
+        ASSERT_TRUE(fails());
+    }
+}
+
 }  // namespace
 }  // namespace ew::test

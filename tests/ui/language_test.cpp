@@ -7,34 +7,17 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
-#include <QTranslator>
 #include <QUndoStack>
 #include <set>
 
 #include "core/document/step_names.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/german_fixture.h"
 #include "ui/app_setup.h"
 #include "ui/core_text.h"
 #include "ui/panels/graph_panel.h"
 
 namespace ew::test {
 namespace {
-
-class German : public WindowTest {
-  protected:
-    void SetUp() override {
-        ASSERT_TRUE(translator_.load(QLocale("de"), "edgewright", "_", ":/translations"));
-        // On top of the English that main() chose; taken off again for the other tests.
-        ASSERT_TRUE(QCoreApplication::installTranslator(&translator_));
-        WindowTest::SetUp();
-    }
-    void TearDown() override {
-        WindowTest::TearDown();
-        QCoreApplication::removeTranslator(&translator_);
-    }
-
-    QTranslator translator_;
-};
 
 TEST_F(German, MenusPanelsAndPluralsAreGerman) {
     QStringList menus;
@@ -179,9 +162,9 @@ TEST_F(German, WhatTheCoreSaysIsGermanToo) {
               "Eine Linie endet 19 px vor dem, was sie treffen sollte (die Abstandsschwelle ist 14 "
               "px).");
     EXPECT_EQ(coreText("No template shows one corner and 9 edges like this. The nearest is Cube "
-                       "(it shows 2 edges fewer and one corner more)."),
+                       "(one line missing, 2 lines too many)."),
               "Keine Vorlage zeigt so eine Ecke und 9 Kanten. Am nächsten ist: Quader "
-              "(zeigt 2 Kanten weniger und eine Ecke mehr).");
+              "(zu wenig: eine Linie, zu viel: 2 Linien).");
     EXPECT_EQ(coreText("This can be read as Cube or Hat stand or L-prism; choose one."),
               "Lesbar als Quader oder Hat stand oder L-Prisma; bitte auswählen.");
     EXPECT_EQ(coreText("This could be a Cube or an L-prism, but only without some of the lines; "

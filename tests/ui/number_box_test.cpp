@@ -2,11 +2,14 @@
 // Numbers as people type them.
 #include "ui/number_box.h"
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QTest>
 
 #include "tests/ui/window_fixture.h"
+#include "ui/apply_controller.h"
 #include "ui/live_reading.h"
+#include "ui/panels/message_bar.h"
 #include "ui/tools/tool_box.h"
 
 namespace ew::test {
@@ -33,9 +36,7 @@ TEST(NumberBox, ACommaAndAPointAreBothADecimalMark) {
         EXPECT_EQ(typed(box, "2,5"), 2.5) << language;
         EXPECT_EQ(typed(box, "0,125"), 0.125) << language;
         EXPECT_EQ(typed(box, "12"), 12) << language;
-        // A key that nothing can be meant by is refused; the others count.
-        EXPECT_EQ(typed(box, "1,2,3"), 1.23) << language;
-        EXPECT_EQ(typed(box, "1..5"), 1.5) << language;
+        EXPECT_EQ(typed(box, "1.234,5"), 1234.5) << language;
     }
 }
 
@@ -54,16 +55,72 @@ TEST(NumberBox, KnowsGroupsWhereBothMarksAreThere) {
     }
 }
 
-TEST(NumberBox, AWholeNumberIsNotMultiplied) {
-    WholeNumberBox box;
-    box.setRange(0, 100000);
-    box.setLocale(QLocale("de_DE"));
-    for (const char* text : {"2.5", "2,5"}) {
-        QString copy = text;
-        int position = 0;
-        EXPECT_EQ(box.validate(copy, position), QValidator::Invalid) << text;
+/// What is typed and refused leaves the 7 that was there, and says so once Enter is pressed.
+template <class Box>
+void expectRefused(Box& box, const char* text) {
+    QStringList told;
+    const auto listening =
+        QObject::connect(&box, &Box::refused, &box, [&](const QString& why) { told << why; });
+    EXPECT_EQ(typed(box, text), 7) << text;
+    ASSERT_EQ(told.size(), 1) << text;
+    EXPECT_TRUE(told[0].contains(text)) << told[0].toStdString();
+    EXPECT_TRUE(box.text().contains(text)) << "it stays to be mended: " << box.text().toStdString();
+    QObject::disconnect(listening);
+    box.clearFocus();
+}
+
+TEST(NumberBox, WhatCannotBeMeantIsRefusedAndNeverAnotherNumber) {
+    NumberBox box;
+    box.setRange(1, 100);
+    box.setDecimals(3);
+    box.setSuffix(" mm");
+    for (const char* text : {"1.2.3", "1,2,3", "1..5", "1e1", "1x", "x", "5 cm", "5m", "--5",
+                             "0x10", "1 2", "500", "0.5", "-5", "1.234.567"}) {
+        expectRefused(box, text);
     }
-    EXPECT_EQ(typed(box, "25"), 25);
+    WholeNumberBox whole;
+    whole.setRange(1, 100);
+    for (const char* text : {"2.5", "2,5", "1e1", "500", "0", "99999999999", "3 4", "1,000"}) {
+        expectRefused(whole, text);
+    }
+}
+
+TEST(NumberBox, ItsUnitMayBeTyped) {
+    NumberBox box;
+    box.setRange(1, 100);
+    box.setSuffix(" mm");
+    for (const char* text : {"5", "5mm", "5 mm", "5 MM", "+5", "5.", "5,00"}) {
+        EXPECT_EQ(typed(box, text), 5) << text;
+        EXPECT_EQ(box.text(), "5.00 mm");
+    }
+    WholeNumberBox whole;
+    whole.setSuffix(" MiB");
+    for (const char* text : {"5", "5MiB", "5 MiB"}) EXPECT_EQ(typed(whole, text), 5) << text;
+}
+
+TEST(NumberBox, AWordForItsLeastValueMayBeTyped) {
+    NumberBox box;
+    box.setRange(-0.5, 10);
+    box.setSpecialValueText("auto");
+    EXPECT_EQ(typed(box, "auto"), -0.5);
+    EXPECT_EQ(box.text(), "auto");
+    EXPECT_EQ(typed(box, "3"), 3);
+    expectRefused(box, "aut");
+}
+
+TEST(NumberBox, AFieldThatIsLeftHasItsNumberAgain) {
+    QWidget window;
+    NumberBox box(&window);
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    box.setValue(7);
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, "1.2.3");
+    box.clearFocus();
+    EXPECT_EQ(box.value(), 7);
+    EXPECT_EQ(box.cleanText(), "7.00");
 }
 
 class TypedNumber : public WindowTest {};
@@ -82,17 +139,45 @@ TEST_F(TypedNumber, EnterGivesTheKeysBackToTheDrawing) {
     EXPECT_EQ(window_->tools().active(), ToolBox::Kind::Pen);
 }
 
-TEST_F(TypedNumber, ALetterIsTheWindowsAlsoBeforeEnter) {
+TEST_F(TypedNumber, NoKeyIsAToolsWhileANumberIsTyped) {
+    const bool automatic = window_->applyController().automatic();
+    window_->findChild<QDockWidget*>("surfacePanel")->raise();
+    settle();
+    int fields = 0;
+    for (QAbstractSpinBox* number : window_->findChildren<QAbstractSpinBox*>()) {
+        if (!number->isVisible() || !number->isEnabled()) continue;
+        ++fields;
+        window_->tools().setActive(ToolBox::Kind::Pen);
+        number->setFocus();
+        ASSERT_TRUE(number->hasFocus());
+        for (int k = Qt::Key_A; k <= Qt::Key_Z; ++k) {
+            number->selectAll();
+            key(static_cast<Qt::Key>(k));
+            EXPECT_EQ(window_->tools().active(), ToolBox::Kind::Pen) << static_cast<char>(k);
+            EXPECT_EQ(window_->applyController().automatic(), automatic) << static_cast<char>(k);
+            EXPECT_TRUE(number->hasFocus()) << static_cast<char>(k);
+        }
+        number->selectAll();
+        key(Qt::Key_9);
+        EXPECT_EQ(window_->reading().chosen(), -1) << "a digit is the number's";
+    }
+    EXPECT_GE(fields, 4);
+}
+
+TEST_F(TypedNumber, WhatIsRefusedIsSaidInTheWindow) {
     auto* number = window_->findChild<QDoubleSpinBox*>("distanceNumber");
-    ASSERT_NE(number, nullptr);
-    number->setFocus();
-    key(Qt::Key_E);
-    EXPECT_EQ(window_->tools().active(), ToolBox::Kind::Eraser);
+    const double before = document().thresholds().distancePx;
     number->setFocus();
     number->selectAll();
-    key(Qt::Key_9);
-    EXPECT_EQ(window_->reading().chosen(), -1) << "a digit is the number's";
-    EXPECT_EQ(number->cleanText(), "9");
+    QTest::keyClicks(number, "1.2.3");
+    key(Qt::Key_Return);
+    EXPECT_EQ(document().thresholds().distancePx, before);
+    EXPECT_TRUE(number->hasFocus()) << "so that it can be mended";
+    EXPECT_EQ(window_->messages().text(), "\u201c1.2.3\u201d is not a number; the old one stays.");
+    QTest::keyClicks(number, "12.5");
+    key(Qt::Key_Return);
+    EXPECT_EQ(document().thresholds().distancePx, 12.5);
+    EXPECT_TRUE(surface().hasFocus());
 }
 
 }  // namespace

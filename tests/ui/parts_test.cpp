@@ -276,6 +276,26 @@ TEST(Colours, TextMeetsWcagAa) {
     EXPECT_NEAR(contrastRatio(Qt::black, Qt::white), 21.0, 1e-9);
 }
 
+TEST(Colours, InkIsSeenOnFacesInLightAndShade) {
+    // Of the body's colour, as the lamps of the scene leave it on faces that are seen.
+    constexpr double kShade = 0.56;
+    constexpr double kLight = 1.05;
+    for (const ThemeColours* c : {&lightColours(), &darkColours()}) {
+        for (const double share : {kShade, 0.8, kLight}) {
+            const auto lit = [&](float channel) { return std::min(1.0, share * channel); };
+            const QColor face = QColor::fromRgbF(static_cast<float>(lit(c->body.redF())),
+                                                 static_cast<float>(lit(c->body.greenF())),
+                                                 static_cast<float>(lit(c->body.blueF())));
+            for (const QColor& ink : {c->ink, c->dropped}) {
+                EXPECT_GE(contrastRatio(ink, face), 3.0)
+                    << ink.name().toStdString() << " on " << face.name().toStdString();
+            }
+        }
+        EXPECT_GE(contrastRatio(c->dropped, c->background), 3.0);
+        EXPECT_GE(contrastRatio(c->dropped, c->surface), 3.0);
+    }
+}
+
 TEST(Colours, FieldsAreSeenInTheDark) {
     const OutlinedStyle style;
     QStyleOptionButton option;

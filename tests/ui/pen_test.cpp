@@ -122,4 +122,23 @@ TEST_F(Pen, LeavingProximityInMidStrokeLeavesNothing) {
     EXPECT_TRUE(document().pendingStrokes().empty());
 }
 
+TEST_F(Pen, TheRingIsWhereThePenIsWhenItIsLifted) {
+    for (const Hand hand : {Hand::Pen, Hand::Mouse}) {
+        press(hand, {300, 300});
+        move(hand, {340, 310});
+        move(hand, {400, 330});
+        release(hand, {420, 340});
+        const auto ring = window_->viewport().hover();
+        ASSERT_TRUE(ring);
+        EXPECT_LT((*ring - Vec2(420, 340)).norm(), 1.0) << ring->transpose();
+        leaveProximity();
+    }
+    // After a turn of the view, too.
+    press(Hand::Mouse, {300, 300}, Qt::MiddleButton);
+    move(Hand::Mouse, {350, 300}, Qt::MiddleButton);
+    release(Hand::Mouse, {380, 310}, Qt::MiddleButton);
+    ASSERT_TRUE(window_->viewport().hover());
+    EXPECT_LT((*window_->viewport().hover() - Vec2(380, 310)).norm(), 1.0);
+}
+
 }  // namespace ew::test

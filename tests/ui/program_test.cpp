@@ -4,7 +4,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -95,6 +97,39 @@ TEST_F(Programs, APictureOnAFullDiskIsAFailure) {
     EXPECT_EQ(*readFileBytes(path("disk/p.png"), 100), "mine");
     EXPECT_EQ(run("edgewright-render", {"d.edgewright", "p.png", "64x64"}, display()).status, 0);
     EXPECT_TRUE(QFileInfo(path("p.png")).isFile());
+}
+
+TEST_F(Programs, APictureIsWhatItsNameSays) {
+    ASSERT_TRUE(Document(TemplateLibrary()).save(path("d.edgewright")));
+    const std::vector<std::pair<QString, QByteArray>> table{
+        {"p.png", "png"}, {"p.jpg", "jpeg"}, {"P.JPEG", "jpeg"}, {"p.bmp", "bmp"}, {"p", "png"}};
+    for (const auto& [name, format] : table) {
+        SCOPED_TRACE(name.toStdString());
+        for (const QString& program :
+             {QStringLiteral("edgewright"), QStringLiteral("edgewright-replay")}) {
+            QFile::remove(folder_.filePath(name));
+            QStringList arguments{"--screenshot", name};
+            if (program != "edgewright") arguments = QStringList{"d.edgewright"} + arguments;
+            const Outcome r = run(program, arguments, display());
+            EXPECT_EQ(r.status, 0) << r.err;
+            EXPECT_EQ(QImageReader::imageFormat(folder_.filePath(name)), format);
+        }
+    }
+    for (const char* name : {"p.gif", "p.xyz"}) {
+        SCOPED_TRACE(name);
+        const Outcome window = run("edgewright", {"--screenshot", name}, display());
+        EXPECT_EQ(window.status, 2);
+        EXPECT_NE(window.err.find("names no format"), std::string::npos) << window.err;
+        const Outcome replay =
+            run("edgewright-replay", {"d.edgewright", "--screenshot", name}, display());
+        EXPECT_EQ(replay.status, 2);
+        EXPECT_NE(replay.err.find("(cannot-write)"), std::string::npos) << replay.err;
+        EXPECT_FALSE(QFileInfo::exists(path(name)));
+    }
+    const Outcome seenThrough = run(
+        "edgewright-replay", {"d.edgewright", "--screenshot", "t.jpg", "--transparent"}, display());
+    EXPECT_EQ(seenThrough.status, 2);
+    EXPECT_NE(seenThrough.err.find("cannot be transparent"), std::string::npos) << seenThrough.err;
 }
 
 }  // namespace

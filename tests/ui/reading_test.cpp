@@ -11,12 +11,14 @@
 #include <QThread>
 #include <QUndoStack>
 #include <atomic>
+#include <set>
 
 #include "core/reading/interpret.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/apply_controller.h"
 #include "ui/live_reading.h"
 #include "ui/panels/message_bar.h"
+#include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
 
 namespace ew::test {
@@ -166,6 +168,72 @@ TEST_F(Reading, AnOpenEndIsSaidAndOneClickRepairsIt) {
     button.click();
     settle();
     EXPECT_TRUE(reading().accepted.has_value());
+}
+
+TEST_F(Reading, TwoLinesAreNoFault) {
+    drawLine(Hand::Mouse, {300, 300}, {300, 450});
+    drawLine(Hand::Mouse, {340, 300}, {460, 260});
+    window_->reading().settleNow();
+    settle();
+    EXPECT_EQ(window_->findChild<QPushButton*>("repair1"), nullptr);
+    EXPECT_TRUE(reading().culprits.empty());
+    const auto* text = window_->messages().findChild<QLabel*>("message");
+    ASSERT_NE(text, nullptr);
+    EXPECT_EQ(text->palette().color(QPalette::WindowText), appearance_->colours().text)
+        << text->text().toStdString();
+}
+
+TEST_F(Reading, EachRepairHasAButtonOfItsOwnName) {
+    // Three gaps of a triangle.
+    drawLine(Hand::Mouse, {300, 300}, {560, 300});
+    drawLine(Hand::Mouse, {580, 320}, {440, 560});
+    drawLine(Hand::Mouse, {420, 560}, {280, 322});
+    window_->reading().settleNow();
+    settle();
+    ASSERT_TRUE(reading().problem);
+    EXPECT_EQ(reading().problem->code, Errc::OpenEnd);
+    EXPECT_GE(reading().repairs.size(), 3U);
+    std::set<QString> names;
+    int count = 0;
+    for (const auto* button : window_->messages().findChildren<QPushButton*>()) {
+        if (button->isHidden()) continue;
+        ++count;
+        names.insert(button->text());
+    }
+    EXPECT_GE(count, 1);
+    EXPECT_EQ(static_cast<int>(names.size()), count);
+}
+
+TEST_F(Reading, ThePanelAndTheMessageTellTheSameNumbers) {
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(document().apply());
+    // A triangle beside the box, and two lines that belong to nothing.
+    const double w = surface().width();
+    const double h = surface().height();
+    const Vec2 a(0.70 * w, 0.80 * h);
+    const Vec2 b(0.95 * w, 0.80 * h);
+    const Vec2 c(0.82 * w, 0.95 * h);
+    drawLines(Hand::Mouse, {{a, b},
+                            {b, c},
+                            {c, a},
+                            {Vec2(0.45 * w, 0.42 * h), Vec2(0.55 * w, 0.60 * h)},
+                            {Vec2(0.10 * w, 0.20 * h), Vec2(0.22 * w, 0.30 * h)}});
+    window_->reading().settleNow();
+    settle();
+    const auto& r = reading();
+    ASSERT_TRUE(r.problem && r.nearest) << (r.problem ? r.problem->message : "read");
+    ASSERT_EQ(r.problem->code, Errc::NoMatch);
+    const auto missing = r.nearest->missing.size();
+    const auto extra = r.nearest->extra.size();
+    const auto words = [](std::size_t n) {
+        return n == 1 ? std::string("one line") : std::to_string(n) + " lines";
+    };
+    const std::string& said = r.problem->message;
+    const std::string shown = child<QLabel>("graphDetail").text().toStdString();
+    EXPECT_EQ(said.find(words(missing) + " missing") != std::string::npos, missing > 0) << said;
+    EXPECT_EQ(said.find(words(extra) + " too many") != std::string::npos, extra > 0) << said;
+    EXPECT_EQ(shown, std::to_string(missing) + " missing, " + std::to_string(extra) + " too many");
+    EXPECT_GT(missing + extra, 0U) << said << " / " << shown;
 }
 
 TEST_F(Reading, EnterWithNothingDrawnSaysSoAndChangesNothing) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moving the view with real events.
 #include <QApplication>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include "tests/ui/window_fixture.h"
+#include "ui/theme/appearance.h"
+#include "ui/theme/colours.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -124,6 +127,31 @@ TEST_F(View, FitShowsTheWholeBody) {
         EXPECT_GT(px.y(), 0);
         EXPECT_LT(px.x(), surface().width());
         EXPECT_LT(px.y(), surface().height());
+    }
+}
+
+TEST_F(View, TheButtonForWhatTheToolBarHasNoRoomForIsSeen) {
+    window_->resize(720, 700);
+    settle();
+    auto* more = window_->findChild<QToolButton*>("qt_toolbar_ext_button");
+    ASSERT_NE(more, nullptr);
+    ASSERT_TRUE(more->isVisible()) << "there is room for everything";
+    EXPECT_GE(more->width(), 20);
+    for (const Appearance::Mode mode : {Appearance::Mode::Light, Appearance::Mode::Dark}) {
+        appearance_->setMode(mode);
+        settle();
+        const QImage picture = more->grab().toImage();
+        const QColor back = picture.pixelColor(picture.width() / 2, 2);
+        QRect mark;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (contrastRatio(picture.pixelColor(x, y), back) < 3.0) continue;
+                mark |= QRect(x, y, 1, 1);
+            }
+        }
+        const double scale = picture.devicePixelRatio();
+        EXPECT_GE(mark.width() / scale, 6);
+        EXPECT_GE(mark.height() / scale, 6);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -150,6 +151,38 @@ TEST_F(WorkCopies, AnotherWindowOnTheSameFileIsTold) {
     ASSERT_TRUE(second.files().openPath(path));
     EXPECT_NE(second.messages().text().indexOf("a.edgewright is open in another window"), -1)
         << second.messages().text().toStdString();
+}
+
+TEST_F(WorkCopies, TheQuestionAboutChangesSaysWhatBecomesOfThem) {
+    /// The informative text of the box that a window asks with before it lets go of its changes.
+    const auto asked = [&](MainWindow& window) {
+        QString text;
+        QTimer timer;
+        QObject::connect(&timer, &QTimer::timeout, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr || !box->isVisible()) return;
+            timer.stop();
+            text = box->informativeText();
+            box->button(QMessageBox::Discard)->click();
+        });
+        timer.start(10);
+        EXPECT_TRUE(window.files().mayDiscard());
+        return text;
+    };
+    const auto draw = [](Document& document) {
+        ASSERT_TRUE(document.addStroke(Stroke{{{Vec2(10, 10), 1, 0}, {Vec2(90, 10), 1, 0}}}));
+    };
+    MainWindow kept(document().state().library, *appearance_,
+                    MainWindowOptions{.remember = false, .workFolder = workFolder_});
+    draw(kept.document());
+    EXPECT_TRUE(asked(kept).contains("Recover")) << asked(kept).toStdString();
+    kept.document().reset();
+    whileOffered({"Recover"}, [&] { kept.workKeeper()->offerAll(); });
+    EXPECT_EQ(kept.document().pendingStrokes().size(), 1U) << "as it was said";
+    MainWindow lost(document().state().library, *appearance_,
+                    MainWindowOptions{.remember = false, .workFolder = {}});
+    draw(lost.document());
+    EXPECT_EQ(asked(lost), "They are lost otherwise.");
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ QString endingOf(const QString& filter) {
     return filter.mid(dot, filter.indexOf(QLatin1Char(')')) - dot);
 }
 
+/// A file of the program's own, such as an example.
+bool isShipped(const QString& path) {
+    const auto resources = resourcesFolder();
+    const QString folder = resources ? QDir(*resources).canonicalPath() : QString();
+    return !folder.isEmpty() && QFileInfo(path).canonicalFilePath().startsWith(folder + '/');
+}
+
 QStringList endingsOf(const QString& filters) {
     QStringList endings;
     for (const QString& filter : filters.split(QStringLiteral(";;"))) endings << endingOf(filter);
@@ -67,30 +74,40 @@ FileActions::FileActions(const WindowContext& context, WorkKeeper* work, QWidget
     connect(&context_.document, &Document::changed, this, [this](DocumentChange what) {
         if (what == DocumentChange::Bodies || what == DocumentChange::File) refresh();
     });
-    question_ = [this] {
-        QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                        tr("Save the changes to this document?"),
-                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-        box.setInformativeText(tr("They are lost otherwise."));
-        box.setDefaultButton(QMessageBox::Save);
-        switch (box.exec()) {
-            case QMessageBox::Save:
-                return Answer::Save;
-            case QMessageBox::Discard:
-                return Answer::Discard;
-            default:
-                return Answer::Cancel;
-        }
-    };
-    replaceQuestion_ = [this](const QString& sentence) {
-        QMessageBox box(QMessageBox::Warning, tr("Replace the file?"), sentence,
-                        QMessageBox::Cancel, window_);
-        const auto* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
-        box.setDefaultButton(QMessageBox::Cancel);
-        box.exec();
-        return box.clickedButton() == replace;
-    };
+    question_ = [this] { return askAboutChanges(); };
     refresh();
+}
+
+FileActions::Answer FileActions::askAboutChanges() {
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("Save the changes to this document?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    const bool kept = work_ != nullptr && work_->copy().flush();
+    box.setInformativeText(kept ? tr("Without saving they are in no file, but File, Recover\u2026 "
+                                     "offers them for a while.")
+                                : tr("They are lost otherwise."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+        case QMessageBox::Save:
+            return Answer::Save;
+        case QMessageBox::Discard:
+            return Answer::Discard;
+        default:
+            return Answer::Cancel;
+    }
+}
+
+bool FileActions::mayDo(const Warning& warning) {
+    QMessageBox box(QMessageBox::Warning, warning.title, warning.sentence, QMessageBox::Cancel,
+                    window_);
+    const auto* deed = box.addButton(warning.deed, QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == deed;
+}
+
+bool FileActions::mayReplace(const QString& sentence) {
+    return mayDo({tr("Replace the file?"), sentence, tr("&Replace")});
 }
 
 void FileActions::fill(QMenu* menu) {
@@ -111,7 +128,7 @@ void FileActions::fill(QMenu* menu) {
     menu->addAction(tr("Save what was done as a s&cript\u2026"), this, &FileActions::saveScript);
     menu->addSeparator();
     menu->addAction(exportAction);
-    menu->addAction(tr("S&creenshot\u2026"), this, &FileActions::screenshot);
+    menu->addAction(tr("Screensho&t\u2026"), this, &FileActions::screenshot);
     menu->addSeparator();
     QAction* quit = menu->addAction(tr("&Quit"), window_, &QWidget::close);
     quit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
@@ -128,11 +145,7 @@ void FileActions::fillExamples(QMenu* menu) {
             if (script && !script->title.empty()) title = coreText(script->title);
         }
         menu->addAction(title, this, [this, path = file.filePath()] {
-            if (!mayDiscard()) return;
-            // The person's own files are not kept where the examples are.
-            const QString own = folder_;
-            openPath(path);
-            folder_ = own;
+            if (mayDiscard()) openPath(path);
         });
     }
     if (menu->isEmpty()) menu->addAction(tr("There are no examples"))->setEnabled(false);
@@ -165,21 +178,23 @@ QString FileActions::proposedName() const {
 }
 
 QString FileActions::askWhereTo(const SaveDialog& what, QString* filter) {
+    context_.messages.clearNotice();
     const QStringList endings = endingsOf(what.filters);
     QString proposed = QDir(startFolder()).filePath(proposedName() + endings.front());
     while (true) {
         QFileDialog dialog(window_, what.title, QFileInfo(proposed).absolutePath(), what.filters);
         dialog.setAcceptMode(QFileDialog::AcceptSave);
         dialog.setFileMode(QFileDialog::AnyFile);
+        // It knows only the name as it is typed, which is not always the file's.
+        dialog.setOption(QFileDialog::DontConfirmOverwrite);
         dialog.selectFile(QFileInfo(proposed).fileName());
         if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
         const QString picked = dialog.selectedFiles().front();
         const QString chosen = dialog.selectedNameFilter();
         if (filter != nullptr) *filter = chosen;
         const QString path = withEnding(picked, endings + what.kept, endingOf(chosen));
-        const bool asked = path == picked;  // by the dialog
-        if (asked || !QFileInfo::exists(path) ||
-            replaceQuestion_(tr("%1 is there already.").arg(QFileInfo(path).fileName()))) {
+        if (!QFileInfo::exists(path) ||
+            mayReplace(tr("%1 is there already.").arg(QFileInfo(path).fileName()))) {
             return path;
         }
         proposed = path;
@@ -200,12 +215,14 @@ bool FileActions::mayDiscard() {
 }
 
 void FileActions::newDocument() {
+    context_.messages.clearNotice();
     if (!mayDiscard()) return;
     scriptName_.clear();
     context_.document.reset();
 }
 
 void FileActions::open() {
+    context_.messages.clearNotice();
     if (!mayDiscard()) return;
     const QString path = QFileDialog::getOpenFileName(
         window_, tr("Open"), startFolder(),
@@ -215,7 +232,8 @@ void FileActions::open() {
 
 bool FileActions::openPath(const QString& path) {
     const QFileInfo info(path);
-    folder_ = info.absolutePath();
+    // The person's own files are not kept where the program's are.
+    if (!isShipped(path)) folder_ = info.absolutePath();
     const auto text = readFileBytes(path, kMaxDocumentBytes);
     if (!text) return report(fail(text.error()), {});
     const std::string name = info.fileName().toStdString();
@@ -262,7 +280,7 @@ bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& scr
         const auto file = fileOfStep(script.steps[static_cast<std::size_t>(step.index)]);
         leftOut << QStringLiteral("%1 (%2 %3)")
                        .arg(step.index)
-                       .arg(QString::fromStdString(step.name), QString::fromStdString(*file));
+                       .arg(stepText(step.name), QString::fromStdString(*file));
     }
     QString told;
     if (!leftOut.isEmpty()) {
@@ -273,7 +291,7 @@ bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& scr
     if (failed == nullptr) return report({}, told);
     QString text = tr("Step %1 of the script (%2): %3")
                        .arg(failed->index)
-                       .arg(QString::fromStdString(failed->name), coreText(failed->error->message));
+                       .arg(stepText(failed->name), coreText(failed->error->message));
     if (!told.isEmpty()) text += ' ' + told;
     return report(fail(failed->error->code, text.toStdString()), {});
 }
@@ -297,20 +315,23 @@ void FileActions::saveCopy() {
 }
 
 void FileActions::revert() {
+    context_.messages.clearNotice();
     const QString path = context_.document.filePath();
     const QString name = QFileInfo(path).fileName();
-    if (!replaceQuestion_(
-            tr("Everything that was done since %1 was saved is taken back.").arg(name)))
+    if (!mayDo({tr("Revert to the saved file?"),
+                tr("Everything that was done since %1 was saved is taken back.").arg(name),
+                tr("Re&vert")})) {
         return;
+    }
     report(context_.document.open(path), tr("Reverted to %1.").arg(name));
 }
 
 bool FileActions::saveTo(const QString& path) {
     Document& document = context_.document;
     if (QFileInfo(path) == QFileInfo(document.filePath()) && document.fileChangedByOthers() &&
-        !replaceQuestion_(tr("%1 was changed by another window or program since it was opened or "
-                             "saved here. Replacing it loses these changes.")
-                              .arg(QFileInfo(path).fileName()))) {
+        !mayReplace(tr("%1 was changed by another window or program since it was opened or "
+                       "saved here. Replacing it loses these changes.")
+                        .arg(QFileInfo(path).fileName()))) {
         context_.messages.showNotice(tr("Not saved; \u201cSave as\u201d keeps both."));
         return false;
     }

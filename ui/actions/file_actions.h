@@ -42,9 +42,6 @@ class FileActions : public QObject {
     bool mayDiscard();
     /// How mayDiscard() asks; a message box unless set.
     void setQuestion(std::function<Answer()> question) { question_ = std::move(question); }
-    /// How it is asked whether a file may be replaced; the sentence says which and why.
-    using ReplaceQuestion = std::function<bool(const QString& sentence)>;
-    void setReplaceQuestion(ReplaceQuestion question) { replaceQuestion_ = std::move(question); }
 
     QAction* newAction;
     QAction* openAction;
@@ -69,10 +66,18 @@ class FileActions : public QObject {
         QStringList kept;  ///< endings that are left as they are, beside those of the filters
     };
     /// Asks for a file to write. A name without one of the endings gets that of the filter; where
-    /// this makes it the name of a file that is there, that is asked about, as the dialog does for
-    /// names that are typed whole.
+    /// the file that it is then called is there, that is asked about.
     /// \param filter  set to the filter that was chosen.
     QString askWhereTo(const SaveDialog& what, QString* filter = nullptr);
+    /// What a question about something that cannot be taken back says.
+    struct Warning {
+        QString title;
+        QString sentence;
+        QString deed;  ///< the button that does it
+    };
+    bool mayDo(const Warning& warning);
+    bool mayReplace(const QString& sentence);
+    Answer askAboutChanges();
     bool openDocument(const QString& path);
     bool openScript(const QString& path, const std::string& text);
     bool tellReplay(const ReplayReport& result, const SketchScript& script);
@@ -86,7 +91,6 @@ class FileActions : public QObject {
     WorkKeeper* work_;
     QWidget* window_;
     std::function<Answer()> question_;
-    ReplaceQuestion replaceQuestion_;
     QString folder_;
     QString scriptName_;  ///< of the script that was opened last, without its ending
 };

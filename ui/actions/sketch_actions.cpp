@@ -97,6 +97,7 @@ void SketchActions::refresh() {
 }
 
 void SketchActions::addTemplate() {
+    context_.messages.clearNotice();
     TemplateDialog dialog(context_.document.state().library, window_);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString name = dialog.name();

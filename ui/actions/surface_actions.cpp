@@ -17,7 +17,7 @@ SurfaceActions::SurfaceActions(const WindowContext& context, SurfaceController& 
                               tr("Round the edges that the Surface panel names, with its radius"));
     sharpenAction = makeAction(nullptr, tr("Make the chosen edges &sharp"),
                                QStringLiteral("Ctrl+Shift+F"), tr("Take their fillets away"));
-    smoothAction = makeAction("smooth", tr("S&mooth surface"), QStringLiteral("S"),
+    smoothAction = makeAction("smooth", tr("Smoo&th surface"), QStringLiteral("S"),
                               tr("The smooth surface over the solid, on and off"));
     smoothAction->setCheckable(true);
     cageAction = makeAction("cage", tr("Show the &cage"), QStringLiteral("C"),

@@ -31,7 +31,7 @@ ViewActions::ViewActions(const WindowContext& context, QWidget* window)
       gridAction(new QAction(themedIcon("grid"), tr("&Grid"), this)),
       hiddenAction(new QAction(themedIcon("hidden-edges"), tr("&Hidden edges"), this)),
       readingAction(new QAction(themedIcon("reading"), tr("Show &reading"), this)),
-      occlusionAction(new QAction(tr("Soft s&hadows"), this)),
+      occlusionAction(new QAction(tr("Soft shado&ws"), this)),
       context_(context) {
     struct Entry {
         StandardView view;
@@ -94,7 +94,7 @@ void ViewActions::fill(QMenu* menu) {
     menu->addAction(readingAction);
     menu->addAction(occlusionAction);
     menu->addSeparator();
-    fillTheme(menu->addMenu(tr("T&heme")));
+    fillTheme(menu->addMenu(tr("Th&eme")));
 }
 
 void ViewActions::fillTheme(QMenu* menu) {

@@ -36,7 +36,7 @@ CandidatePanel::CandidatePanel(Document& document, LiveReading& reading, ApplyCo
       heading_(new QLabel(this)),
       list_(new QWidget),
       automatic_(new QCheckBox(tr("Apply &by itself when clear"), this)),
-      applyButton_(new QPushButton(tr("A&pply"), this)) {
+      applyButton_(new QPushButton(tr("&Apply"), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kMargin, metrics::kGap, metrics::kMargin, metrics::kMargin);
     layout->setSpacing(metrics::kSpace);
@@ -86,7 +86,7 @@ void CandidatePanel::buildDepthRow() {
     auto* row = new QHBoxLayout(depthRow_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::kSpace);
-    auto* label = new QLabel(tr("D&epth"), depthRow_);
+    auto* label = new QLabel(tr("&Depth"), depthRow_);
     depth_ = new QSlider(Qt::Horizontal, depthRow_);
     depthNumber_ = new QLabel(depthRow_);
     label->setBuddy(depth_);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/apply_controller.h"
 #include "ui/core_text.h"
@@ -25,6 +26,24 @@ bool sameRepairs(const std::vector<Repair>& a, const std::vector<Repair>& b) {
                return x.kind == y.kind && x.label == y.label && x.from == y.from && x.to == y.to &&
                       x.strokes == y.strokes && x.value == y.value && x.candidate == y.candidate;
            });
+}
+
+/// One of a kind: of several that a person cannot tell apart the first, which is the nearest where
+/// they go by distance. "This line" is none of several.
+std::vector<Repair> oneOfAKind(const std::vector<Repair>& repairs) {
+    const auto same = [](const Repair& a, const Repair& b) {
+        return a.kind == b.kind && a.label == b.label;
+    };
+    std::vector<Repair> shown;
+    for (const Repair& r : repairs) {
+        const auto count = std::count_if(repairs.begin(), repairs.end(),
+                                         [&](const Repair& other) { return same(r, other); });
+        if (count > 1 && r.kind == Repair::Kind::DropStrokes) continue;
+        const bool again = std::any_of(shown.begin(), shown.end(),
+                                       [&](const Repair& other) { return same(r, other); });
+        if (!again) shown.push_back(r);
+    }
+    return shown;
 }
 
 QString doneText(const Candidate& candidate) {
@@ -90,6 +109,11 @@ void MessageBar::showNotice(const QString& text) {
 
 void MessageBar::showError(const Error& error) {
     notice_ = Sentence{Tone::Warning, coreText(error.message)};
+    refresh();
+}
+
+void MessageBar::clearNotice() {
+    notice_.reset();
     refresh();
 }
 
@@ -172,7 +196,9 @@ MessageBar::Sentence MessageBar::sentence() const {
         return {Tone::Quiet, bent ? coreText(r.problem->message) : tr("Keep drawing.")};
     }
     if (!reading_.settled()) return {Tone::Quiet, tr("Reading the drawing\u2026")};
-    if (r.problem) return {Tone::Warning, coreText(r.problem->message)};
+    // Lines that enclose nothing yet are a drawing that is not done.
+    const bool begun = r.problem && r.problem->code == Errc::NoRegion;
+    if (r.problem) return {begun ? Tone::Quiet : Tone::Warning, coreText(r.problem->message)};
     return {Tone::Quiet, tr("Keep drawing.")};
 }
 
@@ -200,7 +226,7 @@ void MessageBar::say(const Sentence& sentence) {
 void MessageBar::showRepairs() {
     std::vector<Repair> wanted;
     if (reading_.settled() && !reading_.strokeUnderWay() && !document_.pendingStrokes().empty()) {
-        wanted = reading_.reading().repairs;
+        wanted = oneOfAKind(reading_.reading().repairs);
     }
     if (wanted.size() > kMostRepairs) wanted.resize(kMostRepairs);
     if (sameRepairs(wanted, shownRepairs_)) return;

@@ -27,6 +27,8 @@ class MessageBar : public QFrame {
     /// A sentence that stays until the ink changes or the next one comes.
     void showNotice(const QString& text);
     void showError(const Error& error);
+    /// Something else is begun, to which the last sentence of the two above says nothing.
+    void clearNotice();
     QString text() const;
 
     /// Long labels of repairs do not widen the window.

@@ -38,7 +38,6 @@ QDoubleSpinBox* millimetres(QWidget* parent, double least, double most, int deci
     box->setRange(least, most);
     box->setDecimals(decimals);
     box->setSuffix(SurfacePanel::tr(" mm"));
-    box->setKeyboardTracking(false);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     return box;
 }
@@ -111,7 +110,7 @@ void SurfacePanel::buildFillet() {
     mode_->setObjectName(QStringLiteral("pickMode"));
     mode_->setToolTip(tr("What a click picks. Shift adds to what is picked, or takes it out."));
     count_ = new QLabel(this);
-    form->addRow(tr("&Edges"), which_);
+    form->addRow(tr("Ed&ges"), which_);
     form->addRow(tr("A &click picks"), mode_);
     form->addRow(QString(), count_);
     buildRadius(form);
@@ -180,7 +179,7 @@ void SurfacePanel::buildRadius(QFormLayout* form) {
     radius_->setToolTip(explanation);
     form->addRow(tr("&Radius"), radius_);
     form->addRow(radiusSlider_);
-    form->addRow(tr("Se&gments"), segments_);
+    form->addRow(tr("Seg&ments"), segments_);
     connect(radiusSlider_, &QSlider::valueChanged, this, [this](int value) {
         if (refreshing_) return;
         const double share = std::pow(

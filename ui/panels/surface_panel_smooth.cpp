@@ -37,7 +37,6 @@ QDoubleSpinBox* sharpnessBox(QWidget* parent, const QString& explanation) {
     box->setDecimals(1);
     box->setSpecialValueText(SurfacePanel::tr("auto"));
     box->setValue(-0.5);
-    box->setKeyboardTracking(false);
     box->setToolTip(explanation);
     return box;
 }
@@ -46,7 +45,7 @@ QDoubleSpinBox* sharpnessBox(QWidget* parent, const QString& explanation) {
 
 void SurfacePanel::buildSurface() {
     QFormLayout* form = addGroup(tr("Smooth surface"));
-    smooth_ = new QCheckBox(tr("&Smooth surface over the solid"), this);
+    smooth_ = new QCheckBox(tr("Smoo&th surface over the solid"), this);
     smooth_->setObjectName(QStringLiteral("smoothSwitch"));
     scheme_ = new QComboBox(this);
     scheme_->addItems({tr("Catmull-Clark"), tr("Loop")});
@@ -68,22 +67,20 @@ void SurfacePanel::buildSurface() {
     tolerance_->setDecimals(3);
     tolerance_->setValue(kDefaultTolerance);
     tolerance_->setSuffix(tr(" mm"));
-    tolerance_->setKeyboardTracking(false);
     tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     tolerance_->setToolTip(tr("No point of the surface is farther than this from its triangles."));
-    cage_ = new QCheckBox(tr("Show the &cage over it"), this);
+    cage_ = new QCheckBox(tr("Sho&w the cage over it"), this);
     form->addRow(smooth_);
-    form->addRow(tr("Sche&me"), scheme_);
-    form->addRow(tr("&Detail"), detail_);
+    form->addRow(tr("Scheme"), scheme_);
+    form->addRow(tr("Detail"), detail_);
     form->addRow(tr("&Levels"), levels_);
-    form->addRow(tr("&Tolerance"), tolerance_);
+    form->addRow(tr("Tolerance"), tolerance_);
     buildCreases(form);
     form->addRow(cage_);
     memory_ = new WholeNumberBox(this);
     memory_->setObjectName(QStringLiteral("memoryNumber"));
     memory_->setRange(1, kMostMemoryMb);
     memory_->setSuffix(tr(" MB"));
-    memory_->setKeyboardTracking(false);
     memory_->setToolTip(tr("A surface that would need more is refused."));
     form->addRow(tr("Memory limit"), memory_);
     connectSurface();
@@ -101,12 +98,12 @@ void SurfacePanel::buildCreases(QFormLayout* form) {
     setCrease_->setText(tr("Set"));
     setCrease_->setObjectName(QStringLiteral("creaseButton"));
     setCrease_->setToolTip(chosenEdges_->toolTip());
-    corners_ = new QCheckBox(tr("Keep sharp c&orners in place"), this);
+    corners_ = new QCheckBox(tr("&Keep sharp corners in place"), this);
     corners_->setObjectName(QStringLiteral("cornersSwitch"));
     auto* row = new QHBoxLayout;
     row->addWidget(chosenEdges_, 1);
     row->addWidget(setCrease_);
-    form->addRow(tr("Sha&rp edges"), otherEdges_);
+    form->addRow(tr("Sharp edges"), otherEdges_);
     form->addRow(tr("Chosen edges"), row);
     form->addRow(corners_);
 }

@@ -32,7 +32,7 @@ TemplatePanel::TemplatePanel(Document& document, Appearance& appearance, QWidget
       list_(new QListWidget(this)),
       text_(new QLabel(this)),
       add_(new QPushButton(themedIcon(QStringLiteral("add-template")),
-                           tr("Add &solid as template\u2026"), this)) {
+                           tr("Add solid as tem&plate\u2026"), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kMargin, metrics::kSpace, metrics::kMargin,
                                metrics::kMargin);

@@ -35,10 +35,10 @@ ThresholdPanel::ThresholdPanel(Document& document, QWidget* parent)
     grid->setHorizontalSpacing(metrics::kSpace);
     grid->setVerticalSpacing(metrics::kGap);
     grid->setColumnStretch(1, 1);
-    distance_ = addRow(0, tr("&Distance"), tr(" px"),
+    distance_ = addRow(0, tr("D&istance"), tr(" px"),
                        tr("How far apart two stroke ends may be and still meet in one corner, and "
                           "how far the eraser reaches. It is the ring round the pen tip."));
-    angle_ = addRow(1, tr("An&gle"), tr("\u00b0"),
+    angle_ = addRow(1, tr("A&ngle"), tr("\u00b0"),
                     tr("How much two lines may differ in direction and still count as parallel."));
     distance_.slider->setRange(toSlider(1.0), toSlider(kLargestDistancePx));
     distance_.number->setRange(1.0, 100.0);
@@ -90,7 +90,6 @@ ThresholdPanel::Row ThresholdPanel::addRow(int row, const QString& name, const Q
     made.number->setDecimals(1);
     made.number->setSingleStep(kStep);
     made.number->setSuffix(unit);
-    made.number->setKeyboardTracking(false);
     made.number->setAlignment(Qt::AlignRight);
     auto* grid = static_cast<QGridLayout*>(layout());
     grid->addWidget(label, row, 0);

@@ -58,6 +58,8 @@ QString makeStyleSheet(const ThemeColours& c) {
                "QToolBar QToolButton:focus { border-color: %6; }"
                "QToolBar QToolButton:checked { background: %7; }"
                "QToolBar QToolButton:pressed { background: %3; }"
+               // The padding of the other buttons would leave nothing of its arrow.
+               "QToolBar QToolButton#qt_toolbar_ext_button { padding: 0; }"
                "QToolBar::separator { background: %3; width: 1px; margin: 5px 6px; }"
                "QMainWindow::separator { background: %3; width: 1px; height: 1px; }")
         .arg(c.text.name(), c.surface.name(), c.border.name(), c.window.name(), c.raised.name(),

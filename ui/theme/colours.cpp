@@ -27,7 +27,8 @@ ThemeColours makeLight() {
     c.grid = hex("#e1e4e8");
     c.axis = hex("#c6ccd4");
     c.ink = hex("#1d2733");
-    c.dropped = hex("#8a929c");
+    // Seen on a face in the shade, too; that it is dropped is told by its dashes.
+    c.dropped = hex("#30363d");
     c.read = hex("#2a7bd0");
     c.extracted = hex("#8a5fc0");
     c.ghost = hex("#6f8fb3");
@@ -57,7 +58,7 @@ ThemeColours makeDark() {
     c.grid = hex("#2a2f36");
     c.axis = hex("#3d444e");
     c.ink = hex("#f0eee8");
-    c.dropped = hex("#7b8592");
+    c.dropped = hex("#bac1ca");
     c.read = hex("#58a6f2");
     c.extracted = hex("#bd97ec");
     c.ghost = hex("#7f9dbd");

@@ -5,6 +5,7 @@
 #include <QStyleOption>
 
 #include "ui/theme/colours.h"
+#include "ui/theme/themed_icon.h"
 
 namespace ew {
 namespace {
@@ -32,6 +33,20 @@ void OutlinedStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
                                   QPainter* painter, const QWidget* widget) const {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_IndicatorCheckBox || element == PE_FrameLineEdit) outline(*option, *painter);
+}
+
+QIcon OutlinedStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                                  const QWidget* widget) const {
+    // Fusion's arrow is dark in every theme.
+    if (which == SP_ToolBarHorizontalExtensionButton) return themedIcon(QStringLiteral("more"));
+    return QProxyStyle::standardIcon(which, option, widget);
+}
+
+int OutlinedStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                               const QWidget* widget) const {
+    constexpr int kExtension = 22;
+    if (metric == PM_ToolBarExtensionExtent) return kExtension;
+    return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 void OutlinedStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,

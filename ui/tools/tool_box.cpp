@@ -116,9 +116,11 @@ void ToolBox::pointer(const PenEvent& event) {
             return;
         case PenPhase::Update:
             if (current_ != nullptr) current_->update(event);
-            if (current_ == eraser_.get()) hover(event);
+            hover(event);
             return;
         case PenPhase::End:
+            // A pen that is lifted and held still tells nothing more.
+            hover(event);
             // Over before the tool acts on it: what it does may look at gestureUnderWay().
             if (Tool* tool = std::exchange(current_, nullptr)) tool->end(event);
             emit gestureChanged();

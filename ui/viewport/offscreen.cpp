@@ -147,6 +147,7 @@ Result<void> renderScreenshot(const Document& document, const QString& path, QSi
         size.height() > kLargest) {
         return fail(Errc::BadValue, "A picture must be 16 to 16384 pixels wide and high.");
     }
+    if (auto ok = checkPictureName(path); !ok) return ok;
     if (look.occlusion && std::max(size.width(), size.height()) > kOcclusionLargest) {
         return fail(Errc::BadValue,
                     "A picture with occlusion must be at most 4096 pixels wide and high.");

@@ -124,6 +124,8 @@ void ViewportWidget::setWetStroke(const Stroke* stroke) {
     update();
 }
 
+std::optional<Vec2> ViewportWidget::hover() const { return d_->hover; }
+
 void ViewportWidget::setHover(std::optional<Vec2> position, bool eraser) {
     if (!position && !d_->hover) return;
     d_->hover = position;

@@ -32,6 +32,7 @@ class ViewportWidget : public QOpenGLWidget {
     void setWetStroke(const Stroke* stroke);
     /// Where the pen hovers [px]; a ring of the distance threshold is drawn round it.
     void setHover(std::optional<Vec2> position, bool eraser = false);
+    std::optional<Vec2> hover() const;
 
     bool gridVisible() const;
     bool hiddenEdgesVisible() const;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/words.h"
+#include "core/edge_graph/closable_ends.h"
 #include "core/reading/explain/nearest_template.h"
 #include "core/tlib/library_index.h"
 
@@ -85,8 +86,10 @@ class Explainer {
         std::set<int> strokes;
         for (const NoiseItem& n : r_.graph.noise) {
             if (n.kind == NoiseKind::Overshoot || n.polyline.empty()) continue;
+            // Where there is no face yet, no line is to blame.
+            if (n.kind == NoiseKind::Stray && r_.graph.empty()) continue;
             if (!strokes.insert(n.stroke).second) continue;
-            std::string label = "belongs to no region";
+            std::string label = "is part of no face";
             if (n.kind == NoiseKind::Dot) label = "a dot";
             if (n.kind == NoiseKind::Scribble) label = "a scribble";
             if (n.kind == NoiseKind::Curve) label = "a curve";
@@ -108,7 +111,9 @@ class Explainer {
         std::vector<Vec2> where;
         const double threshold = options_.thresholds.distancePx;
         double widest = 0;
-        std::vector<OpenEnd> ends = r_.graph.openEnds;
+        std::vector<OpenEnd> ends = closableEnds(r_.graph);
+        // That a match needs a line gone is the reading's own reason.
+        if (ends.empty() && f_.blockedByOpenEnd) ends = r_.graph.openEnds;
         // What is nearer than the threshold was bridged already, and that changed nothing.
         std::erase_if(ends, [&](const OpenEnd& o) { return o.gapPx <= threshold; });
         if (ends.empty()) return false;
@@ -117,12 +122,16 @@ class Explainer {
         std::set<int> lines;
         for (const OpenEnd& o : ends) {
             where.push_back(o.tip);
+            const bool openToo =
+                std::any_of(r_.graph.openEnds.begin(), r_.graph.openEnds.end(),
+                            [&](const OpenEnd& other) { return other.tip == o.target; });
+            if (openToo) where.push_back(o.target);
             widest = std::max(widest, o.gapPx);
             r_.culprits.push_back({Culprit::Kind::OpenEnd, o.tip, o.target,
                                    "gap " + px(o.gapPx) + ", threshold " + px(threshold), -1, -1});
             Repair join;
             join.kind = Repair::Kind::JoinEnds;
-            join.label = "Join these ends";
+            join.label = ends.size() == 1 ? "Join these ends" : "Join the nearest ends";
             join.from = o.tip;
             join.to = o.target;
             join.strokes = r_.graph.dangling[at(o.edge)].strokes;
@@ -378,8 +387,6 @@ class Explainer {
         const LibraryEntry* entry = nullptr;
         const Aspect* aspect = nullptr;
         std::array<int, 6> degrees{};  ///< corners by how many lines meet there
-        int edges = 0;                 ///< more than drawn
-        int corners = 0;
     };
     static constexpr std::size_t kMostCompared = 6;
 
@@ -410,14 +417,10 @@ class Explainer {
                 const auto theirs = histogram(d);
                 double off = 0;
                 for (std::size_t i = 0; i < ours.size(); ++i) off += std::abs(ours[i] - theirs[i]);
-                const int edges = static_cast<int>(a.graph.edges.size()) -
-                                  static_cast<int>(r_.graph.edges.size());
-                const int corners =
-                    static_cast<int>(a.vertex.size()) - static_cast<int>(r_.graph.junctions.size());
                 const auto count = [](std::size_t n) { return static_cast<double>(n); };
                 off += 0.5 * std::abs(count(a.graph.edges.size()) - count(linesDrawn)) +
                        0.5 * std::abs(count(a.vertex.size()) - count(mine.size()));
-                similar.push_back({off, entry.get(), &a, theirs, edges, corners});
+                similar.push_back({off, entry.get(), &a, theirs});
             }
         }
         std::stable_sort(similar.begin(), similar.end(),
@@ -441,19 +444,16 @@ class Explainer {
             r_.nearest = NearestTemplate{s.entry->tmpl.id, s.entry->tmpl.name, s.aspect->name,
                                          std::move(d->missing), std::move(d->extra)};
             nearestDegrees_ = s.degrees;
-            difference_ = tellDifference(s.edges, s.corners);
+            difference_ = tellDifference(r_.nearest->missing.size(), r_.nearest->extra.size());
         }
     }
 
-    static std::string tellDifference(int edges, int corners) {
-        auto part = [](int n, const std::string& one, const std::string& many) {
-            return count(at(std::abs(n)), one, many) + (n > 0 ? " more" : " fewer");
-        };
-        if (edges == 0 && corners == 0) return ", but the lines meet in another way";
-        std::string s = " (it shows ";
-        if (edges != 0) s += part(edges, "edge", "edges");
-        if (edges != 0 && corners != 0) s += " and ";
-        if (corners != 0) s += part(corners, "corner", "corners");
+    static std::string tellDifference(std::size_t missing, std::size_t extra) {
+        if (missing == 0 && extra == 0) return ", but the lines meet in another way";
+        std::string s = " (";
+        if (missing > 0) s += count(missing, "line", "lines") + " missing";
+        if (missing > 0 && extra > 0) s += ", ";
+        if (extra > 0) s += count(extra, "line", "lines") + " too many";
         return s + ")";
     }
 
