@@ -37,7 +37,10 @@ void Document::Private::inkChanged() {
 void Document::Private::suitDistance() {
     if (!automaticDistance) return;
     std::vector<Stroke> strokes;
-    for (const PendingStroke& s : ink.strokes()) strokes.push_back(s.stroke);
+    // What is not measured is not copied for it at every stroke.
+    if (ink.strokes().size() <= kMostStrokesMeasured) {
+        for (const PendingStroke& s : ink.strokes()) strokes.push_back(s.stroke);
+    }
     const double suited = suitedDistancePx(strokes);
     if (suited == view.thresholds.distancePx) return;
     view.thresholds.distancePx = suited;

@@ -40,6 +40,7 @@ double nearest(const Vec2& p, const Stroke& stroke, std::size_t first, std::size
 
 double suitedDistancePx(const std::vector<Stroke>& strokes) {
     constexpr double kDefault = Thresholds{}.distancePx;
+    if (strokes.size() > kMostStrokesMeasured) return kDefault;
     std::vector<Box> boxes;
     Box all;
     for (const Stroke& s : strokes) {

@@ -43,6 +43,22 @@ TEST(SuitedDistance, SmallDrawingsDoNot) {
     EXPECT_EQ(suitedDistancePx(openTriangle(120, 12)), kDefault);
 }
 
+TEST(SuitedDistance, MoreStrokesThanAreReadAtOnceAreNotMeasured) {
+    std::vector<Stroke> strokes;
+    while (strokes.size() < kMostStrokesMeasured) {
+        // Each somewhere else, so that its gaps are open.
+        const Vec2 at(3000.0 * static_cast<double>(strokes.size()), 0.0);
+        for (Stroke& s : openTriangle(500, 20)) {
+            for (PenSample& p : s.samples) p.position += at;
+            strokes.push_back(std::move(s));
+        }
+    }
+    ASSERT_EQ(strokes.size(), kMostStrokesMeasured);
+    EXPECT_GT(suitedDistancePx(strokes), kDefault);
+    strokes.push_back(strokes.front());
+    EXPECT_EQ(suitedDistancePx(strokes), kDefault);
+}
+
 TEST(SuitedDistance, ItIsTheSameForEveryOrderAndDirection) {
     std::vector<Stroke> strokes = openTriangle(500, 20);
     const double suited = suitedDistancePx(strokes);
