@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window. Usage: edgewright [FILE] [--language de|en] [--theme light|dark] [--size WxH]
-// [--screenshot FILE.png]. Exit 0: ended by the person, or the picture is there; 2: the arguments
-// or the file are unusable, there is no display, or the picture cannot be written.
+// The window. Usage: edgewright [FILE...] [--language de|en] [--theme light|dark] [--size WxH]
+// [--start-page] [--screenshot FILE.png]. Exit 0: ended by the person, or the picture is there; 2:
+// the arguments or the file are unusable, there is no display, or the picture cannot be written.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -11,28 +11,30 @@
 #include <cstdio>
 #include <optional>
 
+#include "core/document/recent_files.h"
 #include "core/document/replay_arguments.h"
 #include "core/document/resources.h"
 #include "ui/actions/file_actions.h"
 #include "ui/app_setup.h"
 #include "ui/live_reading.h"
-#include "ui/main_window.h"
 #include "ui/panels/message_bar.h"
 #include "ui/session_end.h"
 #include "ui/theme/appearance.h"
 #include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
+#include "ui/window_list.h"
 #include "ui/work_keeper.h"
 
 namespace {
 
 struct Arguments {
-    QString file;
+    QStringList files;
     QString language;
     QString theme;
     QSize size;
     QString screenshot;
     bool firstFrame = false;
+    bool startPage = false;
 };
 
 constexpr int kUnusable = 2;
@@ -47,13 +49,16 @@ void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription("Turns pen strokes into solids.");
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument("FILE", "A document (.edgewright) or a sketch script (.json).",
-                                 "[FILE]");
+    parser.addPositionalArgument("FILE",
+                                 "Documents (.edgewright) or sketch scripts (.json), as paths or "
+                                 "file URLs; each has a window of its own.",
+                                 "[FILE...]");
     parser.addOption({"language", "de or en; otherwise the system's.", "CODE"});
     parser.addOption({"theme", "light, dark or system.", "NAME"});
     parser.addOption({"size", "Size of the window.", "WxH"});
     parser.addOption(
         {"screenshot", "Write a picture of the window (.png, .jpg), then quit.", "FILE"});
+    parser.addOption({"start-page", "Show recent documents and examples at first."});
     parser.addOption({"first-frame", "Print the time to the first picture [ms], then quit."});
 }
 
@@ -75,9 +80,8 @@ ew::Result<Arguments> readArguments() {
         return ew::fail(ew::Errc::UnknownKey, parser.errorText().toStdString());
     }
     Arguments arguments;
-    const QStringList files = parser.positionalArguments();
-    if (files.size() > 1) return ew::fail(ew::Errc::BadValue, "Only one file can be opened.");
-    if (!files.isEmpty()) arguments.file = files.front();
+    arguments.files = parser.positionalArguments();
+    arguments.startPage = parser.isSet("start-page");
     arguments.language = parser.value("language");
     arguments.theme = parser.value("theme");
     if (!arguments.theme.isEmpty() && arguments.theme != "light" && arguments.theme != "dark" &&
@@ -101,18 +105,40 @@ ew::Result<Arguments> readArguments() {
 /// written.
 /// \param status  the exit code else; it is read then.
 void quitAfterScreenshot(ew::MainWindow& window, const QString& path, const int& status) {
-    QObject::connect(
-        &window.viewport(), &ew::ViewportWidget::firstFrame, &window, [&window, &status, path] {
-            window.reading().refreshNow();
-            window.reading().settleNow();
-            // One turn of the event loop for the panels that follow the reading.
-            QTimer::singleShot(0, &window, [&window, &status, path] {
-                QCoreApplication::processEvents();
-                QCoreApplication::processEvents();  // layouts ask for a second turn
-                const auto written = ew::writePicture(window.picture().toImage(), path);
-                QCoreApplication::exit(written ? status : complain(written.error().message));
-            });
+    const auto take = [&window, &status, path] {
+        window.reading().refreshNow();
+        window.reading().settleNow();
+        // One turn of the event loop for the panels that follow the reading.
+        QTimer::singleShot(0, &window, [&window, &status, path] {
+            QCoreApplication::processEvents();
+            QCoreApplication::processEvents();  // layouts ask for a second turn
+            const auto written = ew::writePicture(window.picture().toImage(), path);
+            QCoreApplication::exit(written ? status : complain(written.error().message));
         });
+    };
+    if (window.startShown())
+        QTimer::singleShot(0, &window, take);
+    else
+        QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window, take);
+}
+
+void printFirstFrame(ew::MainWindow& window, const QElapsedTimer& clock, const int& status) {
+    QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window,
+                     [&clock, &status] {
+                         std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
+                         QCoreApplication::exit(status);
+                     });
+}
+
+/// What is kept and shown over runs; pictures for others are made without any of it.
+ew::MainWindowOptions windowOptions(const Arguments& arguments) {
+    ew::MainWindowOptions options;
+    options.remember = arguments.screenshot.isEmpty() && !arguments.firstFrame;
+    if (options.remember || arguments.startPage) {
+        options.workFolder = ew::WorkFolder::standardPath();
+        options.recentList = ew::RecentFiles::standardPath();
+    }
+    return options;
 }
 
 }  // namespace
@@ -138,31 +164,27 @@ int main(int argc, char** argv) {
     const QString remembered = QSettings().value("window/theme").toString();
     appearance.setMode(
         ew::Appearance::modeFromName(arguments->theme.isEmpty() ? remembered : arguments->theme));
-    ew::MainWindowOptions options;
-    options.remember = arguments->screenshot.isEmpty() && !arguments->firstFrame;
-    if (options.remember) options.workFolder = ew::WorkFolder::standardPath();
-    ew::MainWindow window(load->library, appearance, options);
+    const ew::MainWindowOptions options = windowOptions(*arguments);
+    ew::WindowList windows(load->library, appearance, options);
+    ew::MainWindow& window = *windows.make();
     if (arguments->size.isValid()) window.resize(arguments->size);
     if (!load->problems.empty()) window.messages().showError(load->problems.front());
+    const bool start = arguments->startPage || (options.remember && ew::MainWindow::wantsStart());
+    if (arguments->files.isEmpty() && start) window.showStart();
     int status = 0;
     if (!arguments->screenshot.isEmpty()) {
         quitAfterScreenshot(window, arguments->screenshot, status);
     }
-    if (arguments->firstFrame) {
-        QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window,
-                         [&clock, &status] {
-                             std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
-                             QCoreApplication::exit(status);
-                         });
-    }
-    new ew::SessionEnd(window, [&window] { return window.mayClose(); });
+    if (arguments->firstFrame) printFirstFrame(window, clock, status);
+    new ew::SessionEnd(windows, [&windows] { return windows.mayCloseAll(); });
     window.show();
-    if (!arguments->file.isEmpty() && !window.files().openPath(arguments->file)) {
+    if (!arguments->files.isEmpty() && !windows.open(arguments->files, window)) {
         // A person sees it in the window; for a picture that nobody is there for, it is said here.
         if (!options.remember) status = complain(window.messages().text().toStdString());
     }
-    // Once the window is there to be asked in.
-    if (ew::WorkKeeper* work = window.workKeeper()) {
+    // Once the window is there to be asked in; the start page lists it by itself.
+    ew::WorkKeeper* work = window.workKeeper();
+    if (work != nullptr && !window.startShown()) {
         QTimer::singleShot(0, work, [work] { work->offerLost(); });
     }
     return QApplication::exec();

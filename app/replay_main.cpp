@@ -10,6 +10,7 @@
 #include "app/screenshot_process.h"
 #include "core/document/document_compare.h"
 #include "core/document/file_names.h"
+#include "core/document/history_change.h"
 #include "core/document/recovery.h"
 #include "core/document/replay.h"
 #include "core/document/replay_arguments.h"
@@ -114,9 +115,15 @@ ew::Result<void> writeFiles(ew::Document& document, const ew::ReplayArguments& a
         const QString path = here.absoluteFilePath(arguments.saveScript);
         if (auto ok = ew::writeFileBytes(path, text); !ok) return ok;
     }
+    if (!arguments.save.isEmpty()) {
+        if (auto ok = document.saveCopy(here.absoluteFilePath(arguments.save)); !ok) return ok;
+    }
     const bool failedBefore = report.firstFailure() != nullptr;
     for (const QString& name : arguments.exports) {
-        const auto note = document.exportTo(here.absoluteFilePath(name), arguments.faces);
+        ew::ExportOptions options(arguments.faces);
+        options.unit = arguments.unit;
+        options.bodies = arguments.bodies;
+        const auto note = document.exportTo(here.absoluteFilePath(name), options);
         if (note && !note->empty()) std::printf("%s: %s\n", qPrintable(name), note->c_str());
         const bool noNews = !note && note.error().code == ew::Errc::NoSolid && failedBefore;
         if (!note && !noNews) return ew::fail(note.error());
@@ -160,6 +167,26 @@ ew::Result<ew::ReplayReport> replayInto(ew::Document& document, const ew::Sketch
     return report;
 }
 
+/// Changes the step of the history that the command line names.
+ew::Result<void> changeHistory(ew::Document& document, const ew::ReplayArguments& arguments) {
+    bool isNumber = false;
+    ew::StepChange change;
+    change.place = arguments.changedStep.toInt(&isNumber);
+    if (!isNumber) return ew::fail(ew::Errc::BadValue, "--change-step needs a number.");
+    auto step = ew::readScriptStep(arguments.stepText.toStdString());
+    if (!step) return ew::fail(step.error());
+    change.step = *std::move(step);
+    auto changed = ew::changeStep(document.contents(), document.state().library, change);
+    if (!changed) return ew::fail(changed.error());
+    std::printf("step %d changed, %d done again\n", change.place, changed->redone);
+    for (const ew::MisfitStep& misfit : changed->misfits) {
+        std::printf("step %d (%s) no longer fits: %s; %d stroke(s) kept\n", misfit.place,
+                    misfit.name.c_str(), misfit.error.message.c_str(), misfit.strokes);
+    }
+    document.replaceHistory(*std::move(changed));
+    return {};
+}
+
 int recover(const ew::ReplayArguments& arguments) {
     const auto library = templates(arguments);
     if (!library) return unusable(library.error());
@@ -192,6 +219,9 @@ int run(const ew::ReplayArguments& arguments) {
     ew::Document& document = asItStands ? opened : replayed;
     if (asItStands && !ew::identicalDocuments(opened, replayed)) {
         std::printf("replayed by this version, the document comes out differently\n");
+    }
+    if (!arguments.changedStep.isEmpty()) {
+        if (auto ok = changeHistory(document, arguments); !ok) return unusable(ok.error());
     }
     tellSolid(document);
     std::fflush(stdout);

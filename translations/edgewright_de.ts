@@ -268,8 +268,8 @@
         <translation>Die Körper liegen zu weit auseinander für die einfache Genauigkeit von STL; OBJ, 3MF und glTF können sie halten.</translation>
     </message>
     <message>
-        <source>It lies far out: in the file, the origin is at %1 mm.</source>
-        <translation>Er liegt weit draußen: In der Datei ist der Ursprung bei %1 mm.</translation>
+        <source>It lies far out: in the file, the origin is at %1.</source>
+        <translation>Er liegt weit draußen: In der Datei ist der Ursprung bei %1.</translation>
     </message>
     <message>
         <source>there is no room left on the disk</source>
@@ -963,6 +963,34 @@
         <source>step %1</source>
         <translation>Schritt %1</translation>
     </message>
+    <message>
+        <source>%1 is no file of this computer; only those can be opened.</source>
+        <translation>%1 ist keine Datei dieses Rechners; nur solche können geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>There is no body number %1; the document has %2, counted from 0.</source>
+        <translation>Es gibt keinen Körper Nummer %1; das Dokument hat %2, von 0 an gezählt.</translation>
+    </message>
+    <message>
+        <source>A name has at most %1 characters.</source>
+        <translation>Ein Name hat höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>This step read no drawing.</source>
+        <translation>Dieser Schritt hat keine Zeichnung gelesen.</translation>
+    </message>
+    <message>
+        <source>A step can only become another step of its kind.</source>
+        <translation>Ein Schritt kann nur zu einem Schritt derselben Art werden.</translation>
+    </message>
+    <message>
+        <source>How this step was made is not known any more.</source>
+        <translation>Wie dieser Schritt entstand, ist nicht mehr bekannt.</translation>
+    </message>
+    <message>
+        <source>There is no such step in the history.</source>
+        <translation>Im Verlauf gibt es keinen solchen Schritt.</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1280,6 +1308,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::CardDelegate</name>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+</context>
+<context>
     <name>ew::Document</name>
     <message>
         <source>Add %1</source>
@@ -1439,6 +1474,64 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>&amp;Redo stroke</source>
         <translation>Strich &amp;wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ExportDialog</name>
+    <message>
+        <source>millimetres (mm)</source>
+        <translation>Millimetern (mm)</translation>
+    </message>
+    <message>
+        <source>centimetres (cm)</source>
+        <translation>Zentimetern (cm)</translation>
+    </message>
+    <message>
+        <source>metres (m)</source>
+        <translation>Metern (m)</translation>
+    </message>
+    <message>
+        <source>inches (in)</source>
+        <translation>Zoll (in)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>This kind of file does not say what its numbers are. &amp;Lengths are written in:</source>
+        <translation>Diese Art von Datei sagt nicht, was ihre Zahlen bedeuten. &amp;Längen werden geschrieben in:</translation>
+    </message>
+    <message>
+        <source>It is used from now on, and can be changed by File, Export unit.</source>
+        <translation>Das gilt von nun an und kann mit „Datei, Export-Einheit“ geändert werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Bodies:</source>
+        <translation>&amp;Körper:</translation>
+    </message>
+    <message>
+        <source>Body %1</source>
+        <translation>Körper %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ExportJob</name>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1651,6 +1744,26 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Screensho&amp;t…</source>
         <translation>Bildschirmf&amp;oto …</translation>
     </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Neues &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>S&amp;tartseite</translation>
+    </message>
+    <message>
+        <source>Export &amp;unit…</source>
+        <translation>Export-E&amp;inheit …</translation>
+    </message>
+    <message>
+        <source>The export was given up; no file was written.</source>
+        <translation>Der Export wurde abgebrochen; keine Datei wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Exported to %1, lengths in %2.</source>
+        <translation>Nach %1 exportiert, Längen in %2.</translation>
+    </message>
 </context>
 <context>
     <name>ew::GraphPanel</name>
@@ -1741,18 +1854,119 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::HistoryModel</name>
+    <message>
+        <source>Empty document</source>
+        <translation>Leeres Dokument</translation>
+    </message>
+</context>
+<context>
     <name>ew::HistoryPanel</name>
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Click a step to go back or forward to it.</source>
-        <translation>Ein Klick auf einen Schritt geht zu ihm zurück oder vor.</translation>
+        <source>&amp;Name…</source>
+        <translation>Be&amp;nennen …</translation>
     </message>
     <message>
-        <source>Empty document</source>
-        <translation>Leeres Dokument</translation>
+        <source>&amp;Change…</source>
+        <translation>Än&amp;dern …</translation>
+    </message>
+    <message>
+        <source>Take the change &amp;back</source>
+        <translation>Änderung &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Gives this state a name (F2).</source>
+        <translation>Gibt diesem Stand einen Namen (F2).</translation>
+    </message>
+    <message>
+        <source>Changes the step that made this state, and does again what follows.</source>
+        <translation>Ändert den Schritt, der zu diesem Stand führte, und führt erneut aus, was folgt.</translation>
+    </message>
+    <message>
+        <source>Brings back the history as it was before a step was changed.</source>
+        <translation>Stellt den Verlauf wieder her, wie er war, bevor ein Schritt geändert wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>Dorthin &amp;gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Change the step…</source>
+        <translation>Den Schritt än&amp;dern …</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpact the history…</source>
+        <translation>Den Verlauf &amp;verdichten …</translation>
+    </message>
+    <message>
+        <source>Name of the state</source>
+        <translation>Name des Standes</translation>
+    </message>
+    <message>
+        <source>Name of the state after “%1”; empty: none.</source>
+        <translation>Name des Standes nach „%1“; leer: keiner.</translation>
+    </message>
+    <message>
+        <source>This step has nothing that could be changed.</source>
+        <translation>An diesem Schritt gibt es nichts zu ändern.</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Doing again what follows…</source>
+        <translation>Was folgt, wird erneut ausgeführt …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Step %1 was changed, and %n step(s) after it done again.</source>
+        <translation>
+            <numerusform>Schritt %1 wurde geändert und %n Schritt danach erneut ausgeführt.</numerusform>
+            <numerusform>Schritt %1 wurde geändert und %n Schritte danach erneut ausgeführt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <translation>%1. %2: %3</translation>
+    </message>
+    <message>
+        <source>Some steps no longer fit</source>
+        <translation>Einige Schritte passen nicht mehr</translation>
+    </message>
+    <message numerus="yes">
+        <source>Step %1 was changed. %n step(s) after it no longer fit and were left out; the strokes that they had used are kept.</source>
+        <translation>
+            <numerusform>Schritt %1 wurde geändert. %n Schritt danach passt nicht mehr und wurde ausgelassen; die Striche, die er verwendet hatte, sind noch da.</numerusform>
+            <numerusform>Schritt %1 wurde geändert. %n Schritte danach passen nicht mehr und wurden ausgelassen; die Striche, die sie verwendet hatten, sind noch da.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Compact the history</source>
+        <translation>Den Verlauf verdichten</translation>
+    </message>
+    <message>
+        <source>Merge the steps between named states?</source>
+        <translation>Die Schritte zwischen benannten Ständen zusammenfassen?</translation>
+    </message>
+    <message>
+        <source>Only named states and the one of now stay to go back to; steps that were undone go. The drawing stays as it is, and the file gets smaller.</source>
+        <translation>Zurück geht es dann nur noch zu benannten Ständen und zum jetzigen; zurückgenommene Schritte fallen weg. Die Zeichnung bleibt, wie sie ist, und die Datei wird kleiner.</translation>
+    </message>
+    <message>
+        <source>&amp;Compact</source>
+        <translation>&amp;Verdichten</translation>
     </message>
 </context>
 <context>
@@ -1923,6 +2137,21 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::RecentActions</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 (not found)</source>
+        <translation>%1 (nicht gefunden)</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Noch wurde nichts geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>ew::RecoverDialog</name>
     <message>
         <source>Recover documents</source>
@@ -2004,6 +2233,194 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>%1 can be drawn from now on.</source>
         <translation>%1 kann von jetzt an gezeichnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::StartPage</name>
+    <message>
+        <source>&amp;New drawing</source>
+        <translation>&amp;Neue Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>What is listed</source>
+        <translation>Was aufgelistet wird</translation>
+    </message>
+    <message>
+        <source>Show this page at start</source>
+        <translation>Beim Start diese Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Search name or folder</source>
+        <translation>Name oder Ordner suchen</translation>
+    </message>
+    <message>
+        <source>Recent documents</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recover (%1)</source>
+        <translation>Wiederherstellen (%1)</translation>
+    </message>
+    <message>
+        <source>Drawings that are replayed stroke by stroke; the history shows how each was made.</source>
+        <translation>Zeichnungen, die Strich für Strich abgespielt werden; der Verlauf zeigt, wie jede entstand.</translation>
+    </message>
+    <message>
+        <source>Work that was not closed</source>
+        <translation>Nicht geschlossene Arbeit</translation>
+    </message>
+    <message>
+        <source>The program ended while these were open. They are whole up to the last finished stroke.</source>
+        <translation>Das Programm endete, während dies geöffnet war. Alles ist vollständig bis zum letzten beendeten Strich.</translation>
+    </message>
+    <message>
+        <source>Not found: %1</source>
+        <translation>Nicht gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Used last: %1</source>
+        <translation>Zuletzt verwendet: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>It has no file yet.</source>
+        <translation>Es gibt noch keine Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) waiting</source>
+        <translation>
+            <numerusform>%n Strich wartet</numerusform>
+            <numerusform>%n Striche warten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing here is called “%1”.</source>
+        <translation>Hier heißt nichts „%1“.</translation>
+    </message>
+    <message>
+        <source>What you open or save is listed here.</source>
+        <translation>Was Sie öffnen oder speichern, steht dann hier.</translation>
+    </message>
+    <message>
+        <source>There are no examples</source>
+        <translation>Es gibt keine Beispiele</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Open in a new &amp;window</source>
+        <translation>In einem neuen F&amp;enster öffnen</translation>
+    </message>
+    <message>
+        <source>Un&amp;pin</source>
+        <translation>&amp;Lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Anheften</translation>
+    </message>
+    <message>
+        <source>Open its &amp;folder</source>
+        <translation>Den &amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from the list</source>
+        <translation>Aus der Liste en&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Put away</source>
+        <translation>Weg&amp;legen</translation>
+    </message>
+    <message>
+        <source>It stays for 30 days: File, Recover.</source>
+        <translation>Es bleibt 30 Tage: Datei, Wiederherstellen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::StepDialog</name>
+    <message>
+        <source>What follows is done again. Steps that no longer fit are named, and their strokes are kept.</source>
+        <translation>Was folgt, wird erneut ausgeführt. Schritte, die nicht mehr passen, werden genannt, und ihre Striche bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Än&amp;dern</translation>
+    </message>
+    <message>
+        <source>Distance:</source>
+        <translation>Abstand:</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Angle:</source>
+        <translation>Winkel:</translation>
+    </message>
+    <message>
+        <source>Oblique factor:</source>
+        <translation>Schrägfaktor:</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lesarten</translation>
+    </message>
+    <message>
+        <source>Radius:</source>
+        <translation>Radius:</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Segments:</source>
+        <translation>Segmente:</translation>
+    </message>
+    <message>
+        <source>Sharpness:</source>
+        <translation>Schärfe:</translation>
+    </message>
+    <message>
+        <source>Tolerance:</source>
+        <translation>Toleranz:</translation>
+    </message>
+    <message>
+        <source>Levels:</source>
+        <translation>Stufen:</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>fit %1 %</source>
+        <translation>Passung %1 %</translation>
     </message>
 </context>
 <context>

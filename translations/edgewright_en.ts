@@ -57,6 +57,23 @@
     </message>
 </context>
 <context>
+    <name>ew::HistoryPanel</name>
+    <message numerus="yes">
+        <source>Step %1 was changed, and %n step(s) after it done again.</source>
+        <translation>
+            <numerusform>Step %1 was changed, and %n step after it done again.</numerusform>
+            <numerusform>Step %1 was changed, and %n steps after it done again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Step %1 was changed. %n step(s) after it no longer fit and were left out; the strokes that they had used are kept.</source>
+        <translation>
+            <numerusform>Step %1 was changed. %n step after it no longer fits and was left out; the strokes that it had used are kept.</numerusform>
+            <numerusform>Step %1 was changed. %n steps after it no longer fit and were left out; the strokes that they had used are kept.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ew::MessageBar</name>
     <message numerus="yes">
         <source>%n other reading(s): keys 1 to 9.</source>
@@ -75,6 +92,23 @@
 </context>
 <context>
     <name>ew::RecoverDialog</name>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) waiting</source>
+        <translation>
+            <numerusform>%n stroke waiting</numerusform>
+            <numerusform>%n strokes waiting</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::StartPage</name>
     <message numerus="yes">
         <source>%n step(s)</source>
         <translation>

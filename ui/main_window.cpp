@@ -13,6 +13,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -21,6 +22,7 @@
 #include "core/document/document.h"
 #include "ui/actions/edit_actions.h"
 #include "ui/actions/file_actions.h"
+#include "ui/actions/recent_actions.h"
 #include "ui/actions/sketch_actions.h"
 #include "ui/actions/surface_actions.h"
 #include "ui/actions/view_actions.h"
@@ -36,6 +38,7 @@
 #include "ui/panels/template_panel.h"
 #include "ui/panels/threshold_panel.h"
 #include "ui/pointer_place.h"
+#include "ui/start/start_page.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/appearance.h"
 #include "ui/tools/tool_box.h"
@@ -55,6 +58,8 @@ constexpr int kFrameHeight = 40;
 // Less than this, and panels of one side share a place; less than that, and both sides do.
 constexpr int kRoomForThree = 640;
 constexpr int kRoomForTwoSides = 1100;
+constexpr const char* kUnit = "export/unit";
+constexpr const char* kShowStart = "window/startPage";
 }  // namespace
 
 MainWindow::MainWindow(TemplateLibrary library, Appearance& appearance, MainWindowOptions options,
@@ -102,7 +107,9 @@ void MainWindow::buildCentre() {
     layout->setSpacing(0);
     viewport_ = new ViewportWidget(*document_, *reading_, appearance_, centre);
     messages_ = new MessageBar(*document_, *reading_, *apply_, appearance_, centre);
-    layout->addWidget(viewport_, 1);
+    pages_ = new QStackedWidget(centre);
+    pages_->addWidget(viewport_);
+    layout->addWidget(pages_, 1);
     layout->addWidget(messages_);
     setCentralWidget(centre);
     ToolContext context{*document_, *reading_, *viewport_,
@@ -133,10 +140,16 @@ void MainWindow::buildActions() {
     }
     files_ = new FileActions(context, work_, this);
     if (work_ != nullptr) work_->setQuestion([this] { return files_->mayDiscard(); });
+    connect(files_, &FileActions::windowWanted, this, [this] { emit windowsWanted({}); });
+    if (!options_.recentList.isEmpty()) {
+        recent_ =
+            new RecentActions(context, *files_, work_, RecentFiles(options_.recentList), this);
+        buildStart();
+    }
     edits_ = new EditActions(context, this);
     views_ = new ViewActions(context, this);
     sketches_ = new SketchActions(context, this);
-    files_->fill(menuBar()->addMenu(tr("&File")));
+    files_->fill(menuBar()->addMenu(tr("&File")), recent_);
     edits_->fill(menuBar()->addMenu(tr("&Edit")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     views_->fill(view);
@@ -156,6 +169,65 @@ void MainWindow::buildActions() {
         panels->clear();
         for (QDockWidget* panel : panels_) panels->addAction(panel->toggleViewAction());
     });
+}
+
+void MainWindow::buildStart() {
+    start_ = new StartPage(recent_->recent(), options_.workFolder, appearance_, this);
+    pages_->addWidget(start_);
+    connect(files_, &FileActions::startPageWanted, this, &MainWindow::showStart);
+    connect(start_, &StartPage::newWanted, this, [this] {
+        files_->newDocument();
+        leaveStart();
+    });
+    connect(start_, &StartPage::openWanted, files_, &FileActions::open);
+    connect(start_, &StartPage::fileWanted, this, [this](const QString& path, bool inNewWindow) {
+        if (inNewWindow)
+            emit windowsWanted({path});
+        else
+            files_->openAsked(path);
+    });
+    connect(start_, &StartPage::exampleWanted, files_, &FileActions::openExample);
+    connect(start_, &StartPage::left, this, &MainWindow::leaveStart);
+    connect(start_, &StartPage::failed, messages_, &MessageBar::showError);
+    if (work_ != nullptr) {
+        connect(start_, &StartPage::recoverWanted, work_, [this](const WorkCopyEntry& entry) {
+            if (files_->mayDiscard()) work_->restore(entry);
+        });
+        connect(start_, &StartPage::putAwayWanted, work_, [this](const WorkCopyEntry& entry) {
+            work_->putAway(entry);
+            start_->refresh();
+        });
+    }
+    connect(document_.get(), &Document::changed, this, [this](DocumentChange what) {
+        if (what != DocumentChange::Camera) leaveStart();
+    });
+}
+
+bool MainWindow::wantsStart() { return QSettings().value(kShowStart, true).toBool(); }
+
+bool MainWindow::startShown() const {
+    return start_ != nullptr && pages_->currentWidget() == start_;
+}
+
+void MainWindow::showStart() {
+    if (start_ == nullptr || startShown()) return;
+    panelsBeforeStart_ = saveState(kLayoutVersion);
+    for (QDockWidget* panel : panels_) panel->hide();
+    toolBar_->hide();
+    messages_->hide();
+    start_->refresh();
+    pages_->setCurrentWidget(start_);
+    refreshTitle();
+}
+
+void MainWindow::leaveStart() {
+    if (!startShown()) return;
+    pages_->setCurrentWidget(viewport_);
+    messages_->show();
+    toolBar_->show();
+    restoreState(panelsBeforeStart_, kLayoutVersion);
+    viewport_->setFocus();
+    refreshTitle();
 }
 
 QWidget* MainWindow::scrolled(QWidget* content) {
@@ -195,8 +267,10 @@ void MainWindow::buildPanels() {
     connect(templates, &TemplatePanel::addSolidRequested, sketches_, &SketchActions::addTemplate);
     addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), scrolled(templates),
              Qt::LeftDockWidgetArea);
-    addPanel(tr("History"), QStringLiteral("historyPanel"), new HistoryPanel(*document_, this),
-             Qt::LeftDockWidgetArea);
+    auto* history = new HistoryPanel(*document_, appearance_, this);
+    connect(history, &HistoryPanel::failed, messages_, &MessageBar::showError);
+    connect(history, &HistoryPanel::noticed, messages_, &MessageBar::showNotice);
+    addPanel(tr("History"), QStringLiteral("historyPanel"), history, Qt::LeftDockWidgetArea);
     addPanel(tr("Surface"), QStringLiteral("surfacePanel"),
              scrolled(new SurfacePanel(*document_, *surface_, *surfaces_, *tools_, this)),
              Qt::LeftDockWidgetArea);
@@ -229,7 +303,7 @@ void MainWindow::arrangeFor(const QSize& available) {
     resizeDocks({panels_[0], panels_[1], panels_[2]}, {240, 380, 110}, Qt::Vertical);
     resizeDocks({panels_[0]}, {308}, Qt::Horizontal);
     if (available.width() >= kRoomForTwoSides) {
-        resizeDocks({panels_[3], panels_[4]}, {520, 200}, Qt::Vertical);
+        resizeDocks({panels_[3], panels_[4]}, {380, 340}, Qt::Vertical);
         resizeDocks({panels_[3]}, {264}, Qt::Horizontal);
     }
     panels_[available.height() < kRoomForThree ? 1 : 0]->raise();
@@ -273,6 +347,10 @@ bool MainWindow::panelInUse() const {
 void MainWindow::refreshTitle() {
     const QString path = document_->filePath();
     const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).completeBaseName();
+    if (startShown() && path.isEmpty() && !document_->isModified()) {
+        setWindowTitle(QStringLiteral("Edgewright"));
+        return;
+    }
     setWindowTitle(tr("%1[*] \u2013 Edgewright").arg(name));
     setWindowModified(document_->isModified());
 }
@@ -282,6 +360,8 @@ void MainWindow::restore() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    files_->setExportUnit(exportUnitFromName(settings.value(kUnit).toString().toStdString()));
+    if (start_ != nullptr) start_->setShownAtStart(settings.value(kShowStart, true).toBool());
     apply_->setAutomatic(settings.value(QStringLiteral("sketch/automatic"), true).toBool());
     views_->gridAction->setChecked(settings.value(QStringLiteral("view/grid"), true).toBool());
     views_->hiddenAction->setChecked(settings.value(QStringLiteral("view/hidden"), false).toBool());
@@ -295,9 +375,15 @@ void MainWindow::remember() const {
     if (!options_.remember) return;
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("window/state"),
+                      startShown() ? panelsBeforeStart_ : saveState(kLayoutVersion));
     settings.setValue(QStringLiteral("window/theme"), Appearance::modeName(appearance_.mode()));
+    if (start_ != nullptr) settings.setValue(kShowStart, start_->shownAtStart());
     settings.setValue(QStringLiteral("sketch/automatic"), apply_->automatic());
+    if (const auto unit = files_->exportUnit()) {
+        const std::string_view name = exportUnitName(*unit);
+        settings.setValue(kUnit, QString::fromLatin1(name.data(), qsizetype(name.size())));
+    }
     settings.setValue(QStringLiteral("view/grid"), views_->gridAction->isChecked());
     settings.setValue(QStringLiteral("view/hidden"), views_->hiddenAction->isChecked());
     settings.setValue(QStringLiteral("view/occlusion"), views_->occlusionAction->isChecked());
@@ -306,6 +392,7 @@ void MainWindow::remember() const {
 
 QPixmap MainWindow::picture() {
     QPixmap picture = grab();
+    if (startShown()) return picture;
     // While a widget is grabbed, a painter on an OpenGL widget inside it paints nowhere.
     const QImage drawing = viewport_->grabFramebuffer();
     QPainter painter(&picture);
@@ -332,16 +419,33 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
+namespace {
+
+/// The files that are dragged, or nothing where there is anything else among them.
+QStringList draggedFiles(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (!url.isLocalFile()) return {};
+        paths << url.toLocalFile();
+    }
+    return paths;
+}
+
+}  // namespace
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const auto urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+    if (!draggedFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const auto urls = event->mimeData()->urls();
-    if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+    const QStringList paths = draggedFiles(*event->mimeData());
+    if (paths.isEmpty()) return;
     event->acceptProposedAction();
-    if (files_->mayDiscard()) files_->openPath(urls.front().toLocalFile());
+    // One takes the place of what is here; several have windows of their own.
+    if (paths.size() > 1)
+        emit windowsWanted(paths);
+    else
+        files_->openAsked(paths.front());
 }
 
 }  // namespace ew

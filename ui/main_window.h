@@ -8,6 +8,7 @@
 #include "core/tlib/library.h"
 
 class QDockWidget;
+class QStackedWidget;
 class QToolBar;
 
 namespace ew {
@@ -20,7 +21,9 @@ class FileActions;
 class LiveReading;
 class MessageBar;
 class PointerPlace;
+class RecentActions;
 class SketchActions;
+class StartPage;
 class SurfaceActions;
 class SurfaceController;
 class ToolBox;
@@ -31,6 +34,7 @@ class WorkKeeper;
 struct MainWindowOptions {
     bool remember = true;     ///< size, panels, theme and switches, over runs
     QString workFolder = {};  ///< where working copies are kept; empty: none are
+    QString recentList = {};  ///< file with the list of recent files; empty: none is kept
     QSize available = {};     ///< of the screen, for the first size [logical px]; empty: asked for
 };
 
@@ -48,6 +52,13 @@ class MainWindow : public QMainWindow {
 
     /// Ends what is typed or dragged and asks about work that is not saved; false where it stays.
     bool mayClose();
+    /// Shows recent documents, examples and lost work in place of the drawing and its panels.
+    void showStart();
+    /// Shows the drawing again. So does whatever changes the document.
+    void leaveStart();
+    bool startShown() const;
+    /// Does this person want to see it when the program starts? So they do until they say no.
+    static bool wantsStart();
     /// The window as it is seen, without its frame.
     QPixmap picture();
 
@@ -59,9 +70,15 @@ class MainWindow : public QMainWindow {
     MessageBar& messages() { return *messages_; }
     FileActions& files() { return *files_; }
     ViewActions& views() { return *views_; }
+    /// Null where no list of recent files is kept.
+    StartPage* startPage() { return start_; }
     SurfaceController& surface() { return *surface_; }
     /// Null where no working copies are kept.
     WorkKeeper* workKeeper() { return work_; }
+
+  signals:
+    /// Files are to be opened in windows of their own; none: a new window is wanted.
+    void windowsWanted(const QStringList& paths);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -73,6 +90,7 @@ class MainWindow : public QMainWindow {
     void endTyping();
     void buildCentre();
     void connectSurface();
+    void buildStart();
     void buildActions();
     void buildPanels();
     void buildToolBar();
@@ -103,6 +121,10 @@ class MainWindow : public QMainWindow {
     SurfaceController* surface_ = nullptr;
     SurfaceActions* surfaces_ = nullptr;
     WorkKeeper* work_ = nullptr;
+    RecentActions* recent_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
+    StartPage* start_ = nullptr;
+    QByteArray panelsBeforeStart_;  ///< where panels were, while the start page hides them
     QToolBar* toolBar_ = nullptr;
     QList<QDockWidget*> panels_;
 };

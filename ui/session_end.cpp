@@ -4,10 +4,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <QGuiApplication>
+#include <QApplication>
 #include <QSessionManager>
 #include <QSocketNotifier>
-#include <QWidget>
 #include <array>
 #include <csignal>
 #include <utility>
@@ -28,8 +27,8 @@ void onSignalNow(int) {
 
 }  // namespace
 
-SessionEnd::SessionEnd(QWidget& window, std::function<bool()> mayLose)
-    : QObject(&window), window_(window), mayLose_(std::move(mayLose)) {
+SessionEnd::SessionEnd(QObject& owner, std::function<bool()> mayLose)
+    : QObject(&owner), mayLose_(std::move(mayLose)) {
     connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &SessionEnd::commit,
             Qt::DirectConnection);
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, wire.data()) != 0) return;
@@ -49,7 +48,7 @@ void SessionEnd::onSignal() {
     if (::read(wire[1], &byte, 1) != 1) return;
     // While it asks, the event loop runs and the next signal must not ask again.
     notifier_->setEnabled(false);
-    window_.close();
+    QApplication::closeAllWindows();
     notifier_->setEnabled(true);
 }
 

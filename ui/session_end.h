@@ -6,17 +6,16 @@
 
 class QSessionManager;
 class QSocketNotifier;
-class QWidget;
 
 namespace ew {
 
-/// Lets SIGTERM, SIGINT and SIGHUP, and a session that ends, do what closing the window does: ask
+/// Lets SIGTERM, SIGINT and SIGHUP, and a session that ends, do what closing all windows does: ask
 /// about work that is not saved, or end in order. One at a time in a program.
 class SessionEnd : public QObject {
   public:
-    /// \param window   closed by a signal; owner.
+    /// A signal closes all windows.
     /// \param mayLose  asks where something would be lost; false where the program is to stay.
-    SessionEnd(QWidget& window, std::function<bool()> mayLose);
+    SessionEnd(QObject& owner, std::function<bool()> mayLose);
     ~SessionEnd() override;
 
     /// The session ends and wants to know whether it may; a no stops it.
@@ -25,7 +24,6 @@ class SessionEnd : public QObject {
   private:
     void onSignal();
 
-    QWidget& window_;
     std::function<bool()> mayLose_;
     QSocketNotifier* notifier_ = nullptr;
 };

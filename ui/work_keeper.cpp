@@ -56,6 +56,11 @@ void WorkKeeper::takePicture() {
     buffer.open(QIODevice::ReadWrite);
     if (!image.copy(middle).convertToFormat(QImage::Format_RGB32).save(&buffer, "PNG")) return;
     context_.document.setThumbnail(buffer.data().toStdString());
+    emit pictured();
+}
+
+void WorkKeeper::putAway(const WorkCopyEntry& entry) {
+    if (auto ok = folder_.decline(entry); !ok) context_.messages.showError(ok.error());
 }
 
 bool WorkKeeper::offerLost() {
@@ -84,9 +89,7 @@ void WorkKeeper::offer(const std::vector<WorkCopyEntry>& entries) {
     RecoverDialog dialog(entries, window_);
     dialog.exec();
     const auto chosen = dialog.chosen();
-    for (const std::size_t i : dialog.declined()) {
-        if (auto ok = folder_.decline(entries[i]); !ok) context_.messages.showError(ok.error());
-    }
+    for (const std::size_t i : dialog.declined()) putAway(entries[i]);
     if (chosen && mayDiscard_()) restore(entries[*chosen]);
 }
 

@@ -34,6 +34,13 @@ class WorkKeeper : public QObject {
     /// Must answer whether the document may be replaced; asked before a copy takes its place.
     void setQuestion(std::function<bool()> mayDiscard) { mayDiscard_ = std::move(mayDiscard); }
 
+    /// Nobody wants a copy back for now.
+    void putAway(const WorkCopyEntry& entry);
+
+  signals:
+    /// The small picture was made anew.
+    void pictured();
+
   private:
     void offer(const std::vector<WorkCopyEntry>& entries);
 

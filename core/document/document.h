@@ -11,7 +11,7 @@
 
 #include "core/base/camera.h"
 #include "core/document/derived_shape.h"
-#include "core/document/export_faces.h"
+#include "core/document/export_options.h"
 #include "core/document/sketch_script.h"
 #include "core/reading/types/interpretation.h"
 #include "core/solid/solid.h"
@@ -24,6 +24,7 @@ namespace ew {
 
 struct DocumentFile;
 struct DocumentUpdate;
+struct HistoryChange;
 
 /// The document's truth, as an immutable snapshot. Undo and redo swap snapshots.
 struct DocumentState {
@@ -212,6 +213,25 @@ class Document : public QObject {
     Result<void> goToStep(int index);
     QUndoStack& undoStack() const;
 
+    // History ------------------------------------------------------------------------------------
+    /// Gives a state of the history a name, or takes it away (empty). Errors: BadValue for a state
+    /// that is not there, or a name over kMaxStateName bytes.
+    /// \param steps  that are done in the state, 0 for the one before the first.
+    Result<void> nameState(int steps, const std::string& name);
+    /// Empty where it has none.
+    const std::string& stateName(int steps) const;
+    /// The document as it was or will be with so many steps done; null where there are not so many.
+    std::shared_ptr<const DocumentState> stateAt(int steps) const;
+    /// Merges the steps between named states, so that only those and the newest state stay; what
+    /// was undone and could be done again goes, too. Never done by itself. The recorded script
+    /// stays whole.
+    Result<void> compactHistory();
+    /// Takes a changed history (changeStep() in history_change.h) in place of this one.
+    void replaceHistory(HistoryChange change);
+    /// The history before replaceHistory(), as long as nothing else was done since.
+    bool canTakeBackHistory() const;
+    void takeBackHistory();
+
     // Files --------------------------------------------------------------------------------------
     /// Native document: state, history with every snapshot, ink, camera, thresholds. A name without
     /// .edgewright gets it (filePath() tells). Errors: BadValue for a name of a script, TooLarge,
@@ -232,8 +252,10 @@ class Document : public QObject {
     bool isModified() const;
     /// Writes the surface, else the filleted cage, else the solid: .obj, .stl, .ply, .glb, .3mf by
     /// extension. A sentence for the person, or nothing, and the errors, of exportShape().
-    Result<std::string> exportTo(const QString& path,
-                                 ExportFaces faces = ExportFaces::Simple) const;
+    Result<std::string> exportTo(const QString& path, const ExportOptions& options = {}) const;
+    /// The same as a task on copies, for another thread. Call it once.
+    std::function<Result<std::string>()> exportTask(const QString& path,
+                                                    const ExportOptions& options) const;
 
     /// All that was done since the document was new, as a script that replays to this state.
     SketchScript recordedScript() const;
@@ -253,6 +275,7 @@ class Document : public QObject {
     void restore(DocumentFile file, const QString& path);
     /// A small picture of the document for lists, as PNG; kept with it.
     void setThumbnail(std::string png);
+    const std::string& thumbnail() const;
 
   signals:
     void changed(ew::DocumentChange what);

@@ -42,7 +42,7 @@ bool identicalDocuments(const Document& a, const Document& b) {
     const auto samePending = [](const PendingStroke& p, const PendingStroke& q) {
         return p.camera == q.camera && sameInk(p.stroke, q.stroke);
     };
-    return x.index == y.index && identicalStates(*x.first, *y.first) &&
+    return x.index == y.index && x.names == y.names && identicalStates(*x.first, *y.first) &&
            std::equal(x.commands.begin(), x.commands.end(), y.commands.begin(), y.commands.end(),
                       sameStep) &&
            std::equal(a.pendingStrokes().begin(), a.pendingStrokes().end(),

@@ -131,6 +131,11 @@ DocumentUpdate Document::Private::update(bool whole) const {
     file.obliqueFactor = obliqueFactor;
     file.title = recorder.title();
     file.thumbnail = thumbnail;
+    if (!firstName.empty()) file.names[0] = firstName;
+    for (int i = 0; i < count; ++i) {
+        const auto* command = static_cast<const StateCommand*>(stack.command(i));
+        if (!command->stateName.empty()) file.names[i + 1] = command->stateName;
+    }
     const auto& entries = recorder.entries();
     out.firstCommand = static_cast<std::size_t>(first);
     out.commandCount = static_cast<std::size_t>(count);
@@ -186,6 +191,11 @@ void Document::Private::adopt(DocumentFile file) {
     recorder =
         Recorder::resumed(std::move(file.title), std::move(file.script), std::move(file.takenBack));
     thumbnail = std::move(file.thumbnail);
+    replaced.reset();
+    firstName = file.names.contains(0) ? file.names.at(0) : std::string();
+    for (const auto& [steps, name] : file.names) {
+        if (steps > 0) pushed[static_cast<std::size_t>(steps) - 1]->stateName = name;
+    }
     newSteps = {0, stack.count()};
     writtenStrokes = 0;
     reading.reset();
@@ -197,6 +207,12 @@ void Document::Private::adopt(DocumentFile file) {
           DocumentChange::Reading, DocumentChange::History, DocumentChange::File}) {
         emitChange(what);
     }
+}
+
+void Document::Private::forgetShapes() {
+    cache = std::make_shared<ShapeCache>();
+    shapeOf.reset();
+    shape.reset();
 }
 
 DocumentFile Document::contents() const { return d_->update(true).file; }
@@ -226,6 +242,7 @@ Result<void> Document::open(const QString& path) {
     if (!file) return fail(file.error());
     d_->path = path;
     d_->fileStamp = stamp;
+    d_->forgetShapes();
     d_->adopt(*std::move(file));
     return {};
 }
@@ -239,6 +256,7 @@ void Document::reset() {
     empty.view.camera.height = d_->view.camera.height;
     d_->path.clear();
     d_->fileStamp.reset();
+    d_->forgetShapes();
     d_->adopt(std::move(empty));
 }
 
@@ -264,6 +282,7 @@ const std::string& Document::title() const { return d_->recorder.title(); }
 void Document::setTitle(const std::string& title) { d_->recorder.setTitle(title); }
 
 void Document::setThumbnail(std::string png) { d_->thumbnail = std::move(png); }
+const std::string& Document::thumbnail() const { return d_->thumbnail; }
 
 QString Document::filePath() const { return d_->path; }
 bool Document::fileChangedByOthers() const {
@@ -274,9 +293,15 @@ bool Document::fileChangedByOthers() const {
 
 bool Document::isModified() const { return d_->revision != d_->savedRevision; }
 
-Result<std::string> Document::exportTo(const QString& path, ExportFaces faces) const {
-    const auto derived = shape();
-    return exportShape({d_->state->bodies, *derived, d_->state->mapped}, path.toStdString(), faces);
+Result<std::string> Document::exportTo(const QString& path, const ExportOptions& options) const {
+    return exportTask(path, options)();
+}
+
+std::function<Result<std::string>()> Document::exportTask(const QString& path,
+                                                          const ExportOptions& options) const {
+    return [state = d_->state, derived = shape(), path = path.toStdString(), options] {
+        return exportShape({state->bodies, *derived, state->mapped}, path, options);
+    };
 }
 
 SketchScript Document::recordedScript() const { return d_->recorder.script(d_->view); }

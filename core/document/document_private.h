@@ -71,6 +71,10 @@ struct Document::Private {
     } newSteps;
     int writtenStrokes = 0;  ///< strokes with smaller ids were in an update before
     std::string thumbnail;   ///< PNG, or nothing
+    std::string firstName;   ///< of the state before the first step
+    /// What replaceHistory() replaced, while `revision` is this one.
+    std::shared_ptr<const DocumentFile> replaced;
+    long replacedAt = -1;
 
     // While Document itself moves the stack, its signal is not taken for the history panel's.
     bool movingStack = false;
@@ -112,6 +116,8 @@ struct Document::Private {
     void onStackMoved(int index);
     void stateChanged(const DocumentState& before);
     void adopt(DocumentFile file);
+    /// Another document comes: surfaces of this one are large, and none of its own.
+    void forgetShapes();
     /// A step was pushed, done or undone.
     void stepChanged(int place);
     /// What a file needs to hold what changed since the last takeUpdate(), or all of it.
@@ -138,6 +144,9 @@ class StateCommand : public QUndoCommand {
     InkHistory inkAfter;   ///< while undone: what could be done again after it
     std::shared_ptr<ApplyMemory> memory;  ///< of an apply, where it is known
     std::string key;                      ///< of a change of settings: what it changes
+    /// That a person gave to the state after it. The stack gives commands out as constant, and
+    /// names are no part of what undo exchanges.
+    mutable std::string stateName;
 
   private:
     Document::Private& document_;

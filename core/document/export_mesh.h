@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/document/derived_shape.h"
-#include "core/document/export_faces.h"
+#include "core/document/export_options.h"
 #include "core/document/polygons.h"
 #include "core/solid/solid.h"
 
@@ -20,7 +20,7 @@ struct MeshSource {
     const std::vector<MappedStroke>& mapped;  ///< those that shape.curves speak of
 };
 
-/// Writes a mesh file in world coordinates [mm]; the format follows the extension, in any case of
+/// Writes a mesh file in world coordinates; the format follows the extension, in any case of
 /// letters:
 ///   .obj  one object a body, 17 significant digits; a surface as triangles with its normals;
 ///         mapped strokes as lines, one object a stroke
@@ -38,12 +38,13 @@ struct MeshSource {
 /// Errors: NoSolid where there are no bodies, UnknownExtension, CannotWrite, BadValue for a pose
 /// that is not finite or coordinates that the format cannot hold closely enough, NotClosed where
 /// readers of .stl, .glb and .3mf, which have single precision, would find the shape open or
-/// without area, shape.problem where the shape could not be made.
+/// without area, BadValue also for a body that is not there, Cancelled where
+/// ExportOptions::progress says so, shape.problem where the shape could not be made.
 Result<std::string> exportShape(const MeshSource& source, const std::string& path,
-                                ExportFaces faces = ExportFaces::Simple);
+                                const ExportOptions& options = {});
 
 /// The same for solids alone.
 Result<std::string> exportBodies(const std::vector<Body>& bodies, const std::string& path,
-                                 ExportFaces faces = ExportFaces::Simple);
+                                 const ExportOptions& options = {});
 
 }  // namespace ew

@@ -2,11 +2,13 @@
 #include "core/document/file_names.h"
 
 #include <QFileInfo>
+#include <QUrl>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
 
+#include "core/document/json_text.h"
 #include "core/document/store_schema.h"
 
 namespace ew {
@@ -82,6 +84,19 @@ QString withEnding(const QString& path, const QStringList& known, const QString&
     const bool has = std::any_of(known.begin(), known.end(),
                                  [&](const QString& one) { return endsWith(path, one); });
     return path.isEmpty() || has ? path : path + ending;
+}
+
+Result<QString> localFile(const QString& pathOrUrl) {
+    const bool isUrl = pathOrUrl.startsWith(QStringLiteral("file:"), Qt::CaseInsensitive) ||
+                       pathOrUrl.contains(QStringLiteral("://"));
+    // A file may be called like that, too.
+    if (!isUrl || QFileInfo::exists(pathOrUrl)) return QFileInfo(pathOrUrl).absoluteFilePath();
+    const QUrl url(pathOrUrl);
+    if (!url.isLocalFile() || !url.host().isEmpty()) {
+        return fail(Errc::BadValue, nameQuoted(pathOrUrl.toStdString()) +
+                                        " is no file of this computer; only those can be opened.");
+    }
+    return QFileInfo(url.toLocalFile()).absoluteFilePath();
 }
 
 Result<QString> documentFileName(const QString& path) {

@@ -24,6 +24,10 @@ QString withEnding(const QString& path, const QStringList& known, const QString&
 /// BadValue for a name of a sketch script (.json): it would be opened as one.
 Result<QString> documentFileName(const QString& path);
 
+/// A file as a command line or a file manager names it: a path, relative to the current folder, or
+/// a file URL. Absolute. Errors: BadValue for a URL of anything but a file of this computer.
+Result<QString> localFile(const QString& pathOrUrl);
+
 /// What a file holds, told by its content.
 enum class FileKind { Document, Script, Json, Other };
 FileKind fileKind(std::string_view bytes);

@@ -13,7 +13,8 @@ namespace {
 
 bool usesThresholds(const ScriptStep& step) {
     // A stroke is stored raw and clearing takes all, whatever the thresholds are.
-    return !std::holds_alternative<StrokeStep>(step) && !std::holds_alternative<ClearStep>(step);
+    return !std::holds_alternative<StrokeStep>(step) && !std::holds_alternative<ClearStep>(step) &&
+           !std::holds_alternative<NameStep>(step) && !std::holds_alternative<CompactStep>(step);
 }
 
 ThresholdsStep thresholdsStep(const Thresholds& from, const Thresholds& to) {

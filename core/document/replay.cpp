@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QUndoStack>
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -138,10 +139,17 @@ class StepRunner {
     Result<void> operator()(const ExportStep& s) {
         const auto path = pathToWrite(s.path);
         if (!path) return fail(path.error());
-        const auto note = document_.exportTo(*path, s.faces);
+        ExportOptions options(s.faces);
+        options.unit = s.unit;
+        options.bodies = s.bodies;
+        const auto note = document_.exportTo(*path, options);
         if (note && !note->empty()) report_.notes.push_back(*note);
         return dropValue(note);
     }
+    Result<void> operator()(const NameStep& s) {
+        return document_.nameState(s.state.value_or(document_.undoStack().index()), s.name);
+    }
+    Result<void> operator()(const CompactStep&) { return document_.compactHistory(); }
 
   private:
     Result<QString> pathIn(const QString& folder, const std::string& file) const {

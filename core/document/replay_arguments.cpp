@@ -37,6 +37,9 @@ class ArgumentReader {
     Result<void> text(const QString& name, QString& into);
     Result<void> exports();
     Result<void> faces(const QString& name);
+    Result<void> unit(const QString& name);
+    Result<void> bodies(const QString& name);
+    Result<void> change(const QString& name);
     Result<void> script(const QString& path);
 
     const QStringList& arguments_;
@@ -74,6 +77,34 @@ Result<void> ArgumentReader::faces(const QString& name) {
     return {};
 }
 
+Result<void> ArgumentReader::unit(const QString& name) {
+    QString word;
+    if (auto ok = text(name, word); !ok) return ok;
+    const auto read = exportUnitFromName(word.toStdString());
+    if (!read) return fail(Errc::BadValue, name.toStdString() + " is mm, cm, m or inch.");
+    out_.unit = *read;
+    return {};
+}
+
+Result<void> ArgumentReader::bodies(const QString& name) {
+    QString list;
+    if (auto ok = text(name, list); !ok) return ok;
+    for (const QString& word : list.split(',')) {
+        bool isNumber = false;
+        out_.bodies.push_back(word.toInt(&isNumber));
+        if (!isNumber || out_.bodies.back() < 0) {
+            return fail(Errc::BadValue,
+                        name.toStdString() + " takes numbers from 0 on, as in 0,2.");
+        }
+    }
+    return {};
+}
+
+Result<void> ArgumentReader::change(const QString& name) {
+    if (auto ok = text(name, out_.changedStep); !ok) return ok;
+    return text(name, out_.stepText);
+}
+
 Result<void> ArgumentReader::option(const QString& name) {
     if (readLookOption(name, out_.look)) return {};
     if (name == "--help" || name == "-h")
@@ -93,6 +124,8 @@ Result<void> ArgumentReader::option(const QString& name) {
         return text(name, out_.workCopy);
     else if (name == "--recover")
         return text(name, out_.recover);
+    else if (name == "--save")
+        return text(name, out_.save);
     else if (name == "--save-script")
         return text(name, out_.saveScript);
     else if (name == "--until")
@@ -105,6 +138,12 @@ Result<void> ArgumentReader::option(const QString& name) {
         return exports();
     else if (name == "--faces")
         return faces(name);
+    else if (name == "--unit")
+        return unit(name);
+    else if (name == "--bodies")
+        return bodies(name);
+    else if (name == "--change-step")
+        return change(name);
     else if (name == "--templates")
         return text(name, out_.templates.emplace());
     else if (name == "--size") {
@@ -206,6 +245,14 @@ QString replayHelp() {
         "  --faces WORD           what --export makes of flat faces in .obj and .ply: simple (at\n"
         "                         most four corners, else triangles; the default), triangles, or\n"
         "                         polygons (whole faces)\n"
+        "  --unit WORD            unit of lengths in .obj, .stl and .ply: mm (the default), cm, m\n"
+        "                         or inch\n"
+        "  --bodies LIST          export these bodies only, counted from 0, as in 0,2\n"
+        "  --change-step N JSON   change step N of a document's history, counted from 0, into "
+        "this\n"
+        "                         step of the same kind and do again what follows; what does not\n"
+        "                         fit any more is named, its strokes are kept. --save writes it\n"
+        "  --save FILE            write the document at the end\n"
         "  --screenshot FILE.png  write a picture of the viewport at the end, as .png or .jpg "
         "(needs\n"
         "                         a display, or Xvfb installed)\n"

@@ -5,9 +5,10 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
+#include <vector>
 
 #include "core/base/result.h"
-#include "core/document/export_faces.h"
+#include "core/document/export_options.h"
 
 namespace ew {
 
@@ -31,14 +32,20 @@ QStringList lookOptions(const PictureLook& look);
 struct ReplayArguments {
     QString script;  ///< or document
     QString outFolder = QStringLiteral(".");
-    ExportFaces faces = ExportFaces::Simple;  ///< of exports
-    QStringList exports;                      ///< relative to the current folder, or absolute
+    ExportFaces faces = ExportFaces::Simple;   ///< of exports
+    ExportUnit unit = ExportUnit::Millimetre;  ///< of exports to formats that have none
+    std::vector<int> bodies;                   ///< that are exported; empty: all
+    QString changedStep;                       ///< empty: none; which step of a document's history
+                                               ///< is changed, from 0, ...
+    QString stepText;                          ///< ... and the step that it becomes, as JSON
+    QStringList exports;                       ///< relative to the current folder, or absolute
     QString screenshot;                ///< empty: none; relative to the current folder, or absolute
     std::optional<QSize> size;         ///< of the screenshot [px]
     PictureLook look;                  ///< of the screenshot
     QString until;                     ///< empty: to the end; else as findStep() wants it
     QString report;                    ///< empty: none; relative to the current folder, or absolute
     std::optional<QString> templates;  ///< use this template folder and no other
+    QString save;                      ///< empty: no; where the document is written at the end
     QString saveScript;                ///< empty: no; where what was done is written as a script
     QString workCopy;                  ///< empty: none; folder for a working copy
     QString recover;        ///< empty: no; folder of working copies to list, and to restore where

@@ -10,7 +10,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/result.h"
-#include "core/document/export_faces.h"
+#include "core/document/export_options.h"
 #include "core/reading/types/interpretation.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/template.h"
@@ -90,13 +90,22 @@ struct OpenStep {
 struct ExportStep {
     std::string path;
     ExportFaces faces = ExportFaces::Simple;
+    ExportUnit unit = ExportUnit::Millimetre;
+    std::vector<int> bodies = {};  ///< by index; empty: all
 };
+/// Gives a state of the history a name.
+struct NameStep {
+    std::string name;          ///< empty: takes the name away
+    std::optional<int> state;  ///< how many steps are done in it; not set: the one of now
+};
+/// Merges the steps between named states.
+struct CompactStep {};
 
 using ScriptStep =
     std::variant<CameraStep, ThresholdsStep, StrokeStep, EraseStep, ClearStep, ApplyStep,
                  FilletStep, SharpenStep, CreaseStep, SubdivideStep, MapStrokesStep,
                  UnmapStrokesStep, DefineTemplateStep, DeleteSolidStep, UndoStep, RedoStep,
-                 SaveStep, OpenStep, ExportStep>;
+                 SaveStep, OpenStep, ExportStep, NameStep, CompactStep>;
 
 /// The "do" word of a step.
 std::string_view stepName(const ScriptStep& step);
@@ -132,6 +141,9 @@ inline constexpr std::size_t kMaxScriptSteps = 1'000'000;
 /// WrongType, BadValue, TooLarge (over 64 MiB, or too many values or steps), TooDeep, and those of
 /// readTemplate for an inline template. Stroke coordinates are checked when the step runs.
 Result<SketchScript> readSketchScript(std::string_view json);
+
+/// Reads one step, as it stands in a script. Errors as above.
+Result<ScriptStep> readScriptStep(std::string_view json);
 
 /// JSON text that reads back to the same script, one step a line.
 std::string writeSketchScript(const SketchScript& script);

@@ -215,7 +215,7 @@ ScriptStep readPathed(const ObjectReader& step) {
 }
 
 ScriptStep readExport(const ObjectReader& step) {
-    step.allowOnly({"do", "path", "faces"});
+    step.allowOnly({"do", "path", "faces", "unit", "bodies"});
     ExportStep s;
     s.path = readPath(step);
     if (const json* v = step.find("faces")) {
@@ -225,6 +225,26 @@ ScriptStep readExport(const ObjectReader& step) {
         }
         s.faces = *faces;
     }
+    if (const json* v = step.find("unit")) {
+        const auto unit = exportUnitFromName(readString(*v, step.at("unit")));
+        if (!unit) throwRead(Errc::BadValue, step.at("unit") + " must be mm, cm, m or inch");
+        s.unit = *unit;
+    }
+    if (const json* v = step.find("bodies")) {
+        for (const json& body : readArray(*v, step.at("bodies"))) {
+            s.bodies.push_back(readInt(body, step.at("bodies"), 0, kMaxInt));
+        }
+        if (s.bodies.empty()) {
+            throwRead(Errc::BadValue, step.at("bodies") + " must name at least one body");
+        }
+    }
+    return s;
+}
+
+ScriptStep readName(const ObjectReader& step) {
+    step.allowOnly({"do", "name", "state"});
+    NameStep s{readString(step.require("name"), step.at("name")), std::nullopt};
+    if (const json* v = step.find("state")) s.state = readInt(*v, step.at("state"), 0, kMaxInt);
     return s;
 }
 
@@ -265,6 +285,8 @@ const std::map<std::string_view, StepReader>& stepReaders() {
         {"save", readPathed<SaveStep>},
         {"open", readPathed<OpenStep>},
         {"export", readExport},
+        {"name", readName},
+        {"compact", readBare<CompactStep>},
     };
     return readers;
 }
@@ -335,6 +357,16 @@ SketchScript scriptFromJson(const json& value) {
     for (std::size_t i = 0; i < steps.size(); ++i)
         script.steps.push_back(stepFromJson(steps[i], i));
     return script;
+}
+
+Result<ScriptStep> readScriptStep(std::string_view text) {
+    auto tree = parseJson(text, JsonLimits{.maxBytes = kMaxScriptBytes});
+    if (!tree) return fail(tree.error().code, "step: " + tree.error().message);
+    try {
+        return stepFromJson(*tree, 0);
+    } catch (ReadError& e) {
+        return fail(std::move(e.error));
+    }
 }
 
 Result<SketchScript> readSketchScript(std::string_view text) {

@@ -140,8 +140,20 @@ std::string body(const ExportStep& s) {
     if (s.faces != ExportFaces::Simple) {
         text.append(", \"faces\": \"").append(exportFacesName(s.faces)).append("\"");
     }
+    if (s.unit != ExportUnit::Millimetre) {
+        text.append(", \"unit\": \"").append(exportUnitName(s.unit)).append("\"");
+    }
+    std::string bodies;
+    for (const int body : s.bodies) bodies += (bodies.empty() ? "" : ", ") + std::to_string(body);
+    if (!bodies.empty()) put(text, "bodies", "[" + bodies + "]");
     return text;
 }
+std::string body(const NameStep& s) {
+    std::string text = "\"name\": " + jsonQuoted(s.name);
+    if (s.state) put(text, "state", std::to_string(*s.state));
+    return text;
+}
+std::string body(const CompactStep&) { return {}; }
 
 struct NameOf {
     std::string_view operator()(const CameraStep&) const { return "camera"; }
@@ -163,6 +175,8 @@ struct NameOf {
     std::string_view operator()(const SaveStep&) const { return "save"; }
     std::string_view operator()(const OpenStep&) const { return "open"; }
     std::string_view operator()(const ExportStep&) const { return "export"; }
+    std::string_view operator()(const NameStep&) const { return "name"; }
+    std::string_view operator()(const CompactStep&) const { return "compact"; }
 };
 
 }  // namespace

@@ -54,6 +54,7 @@ struct DocumentFile {
     std::vector<Recorder::Entry> script;
     std::map<int, std::vector<Recorder::Entry>> takenBack;  ///< Recorder::takenBack()
     std::string thumbnail;                                  ///< PNG, or nothing
+    std::map<int, std::string> names;  ///< of states, by how many steps are done in them
 
     const std::shared_ptr<const DocumentState>& stateAt(int commandsDone) const {
         return commandsDone == 0 ? first

@@ -110,6 +110,7 @@ class DatabaseReader {
     void readState(const Fields& row);
     std::vector<Body> readBodies(const Fields& row);
     void readSteps();
+    void readNames();
     void readInk();
     void readPending();
     void readScript();
@@ -341,6 +342,19 @@ void DatabaseReader::readSteps() {
     });
     checkRows("step", file_.commands.size());
     file_.index = settingInt("index", 0, static_cast<int>(file_.commands.size()));
+    readNames();
+}
+
+void DatabaseReader::readNames() {
+    if (!settings_.contains("names")) return;
+    const json names = setting("names");
+    for (const json& item : readArray(names, "setting names")) {
+        const json::array_t& pair = readArray(item, "setting names");
+        if (pair.size() != 2) throwRead(Errc::BadValue, "setting names: a state and its name");
+        const int most = static_cast<int>(file_.commands.size());
+        file_.names[readInt(pair[0], "setting names", 0, most)] =
+            readString(pair[1], "setting names");
+    }
 }
 
 void DatabaseReader::readInk() {

@@ -254,6 +254,13 @@ void DocumentWriter::writeSettings(const DocumentUpdate& update) {
         const QByteArray png = QByteArray::fromStdString(file.thumbnail);
         setting("thumbnail", jsonQuoted(png.toBase64().toStdString()));
     }
+    std::string names = "[";
+    for (const auto& [steps, name] : file.names) {
+        separate(names);
+        names += "[" + std::to_string(steps) + ", " + jsonQuoted(name) + "]";
+    }
+    // Documents without names are as they were before there were any.
+    if (!file.names.empty() || known_.settings.contains("names")) setting("names", names + "]");
     if (update.saved) setting("saved", *update.saved ? "true" : "false");
     setting("needs", jsonQuoted("0.1.0"));
     setting("program", jsonQuoted(EDGEWRIGHT_VERSION));

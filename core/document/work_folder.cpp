@@ -22,11 +22,17 @@ namespace ew {
 // The lock ---------------------------------------------------------------------------------------
 
 std::unique_ptr<WorkLock> WorkLock::take(const QString& path) {
+    return locked(path, LOCK_EX | LOCK_NB);
+}
+
+std::unique_ptr<WorkLock> WorkLock::wait(const QString& path) { return locked(path, LOCK_EX); }
+
+std::unique_ptr<WorkLock> WorkLock::locked(const QString& path, int how) {
     constexpr mode_t kPrivate = 0600;
     const int descriptor =
         ::open(QFile::encodeName(path).constData(), O_RDWR | O_CREAT | O_CLOEXEC, kPrivate);
     if (descriptor < 0) return nullptr;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (::flock(descriptor, how) != 0) {
         ::close(descriptor);
         return nullptr;
     }

@@ -20,12 +20,15 @@ class WorkLock {
     /// Nothing where another process (or this one) holds it. The lock file is made where it is not
     /// there.
     static std::unique_ptr<WorkLock> take(const QString& path);
+    /// The same, but waits until it is free. Nothing where the file cannot be made.
+    static std::unique_ptr<WorkLock> wait(const QString& path);
     ~WorkLock();
     WorkLock(const WorkLock&) = delete;
     WorkLock& operator=(const WorkLock&) = delete;
 
   private:
     explicit WorkLock(int descriptor) : descriptor_(descriptor) {}
+    static std::unique_ptr<WorkLock> locked(const QString& path, int how);
     int descriptor_;
 };
 

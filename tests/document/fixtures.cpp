@@ -191,6 +191,13 @@ void doSomething(Document& d, int what, int number) {
         case 22:
             ignore(d.goToStep(number % (d.undoStack().count() + 1)));
             break;
+        case 23:
+            ignore(d.nameState(number % (d.undoStack().count() + 1),
+                               number % 4 == 0 ? "" : "N\xc3\xa4me " + std::to_string(number)));
+            break;
+        case 24:
+            if (number % 3 == 0) ignore(d.compactHistory());
+            break;
         default:
             changeSurface(d, what, number);
             break;

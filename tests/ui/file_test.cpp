@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files as a person opens and writes them: names, questions, what opening must not do.
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -72,6 +73,10 @@ void replaceIt(QDialog& dialog) {
 
 class Files : public WindowTest {
   protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        window_->files().setExportUnit(ExportUnit::Millimetre);  // so it is not asked for
+    }
     QString path(const QString& name) const { return folder_.filePath(name); }
     std::string bytesOf(const QString& name) const {
         const auto bytes = readFileBytes(path(name), 1U << 26U);
@@ -129,6 +134,28 @@ TEST_F(Files, ADotInANameIsNoExtension) {
     ASSERT_TRUE(QFile::remove(path("bracket v1.2.obj")));
     inDialogs({typeName(path("bracket v1.2.STL"))}, [&] { trigger("Export"); });
     EXPECT_TRUE(QFileInfo(path("bracket v1.2.STL")).isFile());
+}
+
+TEST_F(Files, TheUnitOfAnExportIsAskedForOnce) {
+    makeBox();
+    window_->files().setExportUnit({});
+    const auto typed = typeName(path("part.obj"));
+    inDialogs({typed, giveUp}, [&] { trigger("Export"); });
+    EXPECT_FALSE(QFileInfo::exists(path("part.obj"))) << "given up";
+    EXPECT_FALSE(window_->files().exportUnit());
+    inDialogs({typeName(path("part.3mf"))}, [&] { trigger("Export"); });
+    EXPECT_TRUE(QFileInfo::exists(path("part.3mf"))) << "it has a unit of its own";
+    const Deed inches = [](QDialog& dialog) {
+        auto* unit = dialog.findChild<QComboBox*>(QStringLiteral("exportUnit"));
+        ASSERT_NE(unit, nullptr);
+        unit->setCurrentIndex(unit->findData(static_cast<int>(ExportUnit::Inch)));
+        dialog.accept();
+    };
+    inDialogs({typed, inches}, [&] { trigger("Export"); });
+    EXPECT_TRUE(bytesOf("part.obj").starts_with("# Edgewright, inch"));
+    ASSERT_TRUE(QFile::remove(path("part.obj")));
+    inDialogs({typed}, [&] { trigger("Export"); });
+    EXPECT_TRUE(bytesOf("part.obj").starts_with("# Edgewright, inch"));
 }
 
 TEST_F(Files, ADocumentIsNeverCalledAsAScriptIs) {

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListView>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -340,13 +341,14 @@ TEST_F(Reading, ApplyingByItselfWaitsForEscapePenAndPanels) {
 TEST_F(Reading, HistoryGoesToTheStepThatIsClicked) {
     drawLines(Hand::Mouse, boxLines());
     key(Qt::Key_Return);
-    QListWidget& list = child<QListWidget>("historyList");
-    ASSERT_EQ(list.count(), 2);
-    EXPECT_EQ(list.currentRow(), 1);
-    EXPECT_EQ(list.item(1)->text().toStdString(), "Create cube");
-    list.setCurrentRow(0);
+    QListView& list = child<QListView>("historyList");
+    const auto state = [&](int row) { return list.model()->index(row, 0); };
+    ASSERT_EQ(list.model()->rowCount(), 2);
+    EXPECT_EQ(list.currentIndex().row(), 1);
+    EXPECT_EQ(state(1).data().toString().toStdString(), "Create cube");
+    list.setCurrentIndex(state(0));
     EXPECT_TRUE(document().state().bodies.empty());
-    list.setCurrentRow(1);
+    list.setCurrentIndex(state(1));
     EXPECT_EQ(document().state().bodies.size(), 1U);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ctrl+Z and its way back: what is drawn, ink and steps in one line of time.
 #include <QAction>
+#include <QListView>
 #include <QListWidget>
 #include <QUndoStack>
 
@@ -93,12 +94,12 @@ TEST_F(Undo, InkOfAStepThatWasUndoneIsNext) {
 TEST_F(Undo, TheHistoryPanelTakesInkAlong) {
     drawLines(Hand::Mouse, boxLines());
     key(Qt::Key_Return);
-    auto* list = window_->findChild<QListWidget*>("historyList");
+    auto* list = window_->findChild<QListView*>("historyList");
     ASSERT_NE(list, nullptr);
     drawLine(Hand::Mouse, {60, 60}, {160, 60});
-    list->setCurrentRow(0);
+    list->setCurrentIndex(list->model()->index(0, 0));
     EXPECT_EQ(ink(), 9U) << "the stroke came later";
-    list->setCurrentRow(1);
+    list->setCurrentIndex(list->model()->index(1, 0));
     EXPECT_EQ(ink(), 0U);
     redo();
     EXPECT_EQ(ink(), 1U);

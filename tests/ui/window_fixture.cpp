@@ -42,7 +42,7 @@ void WindowTest::SetUp() {
     appearance_->setMode(Appearance::Mode::Light);
     window_ = std::make_unique<MainWindow>(
         load->library, *appearance_,
-        MainWindowOptions{.remember = false, .workFolder = workFolder_});
+        MainWindowOptions{.remember = false, .workFolder = workFolder_, .recentList = recentList_});
     window_->files().setQuestion([] { return FileActions::Answer::Discard; });
     window_->applyController().setAutomatic(false);
     window_->resize(1280, 860);

@@ -52,6 +52,7 @@ class WindowTest : public testing::Test {
     std::unique_ptr<MainWindow> window_;
     QTemporaryDir folder_;
     QString workFolder_;  ///< for working copies; empty: none are kept
+    QString recentList_;  ///< file with the list of recent files; empty: none is kept
     Qt::KeyboardModifiers modifiers_ = Qt::NoModifier;
 
   private:

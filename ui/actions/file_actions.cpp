@@ -2,6 +2,7 @@
 #include "ui/actions/file_actions.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -12,11 +13,14 @@
 
 #include "core/document/file_bytes.h"
 #include "core/document/file_names.h"
-#include "core/document/resources.h"
 #include "core/document/sketch_script.h"
 #include "core/document/store.h"
+#include "ui/actions/recent_actions.h"
 #include "ui/core_text.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/export_job.h"
 #include "ui/panels/message_bar.h"
+#include "ui/start/examples.h"
 #include "ui/theme/themed_icon.h"
 #include "ui/viewport/picture_file.h"
 #include "ui/viewport/viewport_widget.h"
@@ -50,6 +54,8 @@ QStringList endingsOf(const QString& filters) {
 FileActions::FileActions(const WindowContext& context, WorkKeeper* work, QWidget* window)
     : QObject(window),
       newAction(new QAction(themedIcon("document-new"), tr("&New"), this)),
+      newWindowAction(new QAction(tr("New &window"), this)),
+      startPageAction(new QAction(tr("Start pa&ge"), this)),
       openAction(new QAction(themedIcon("document-open"), tr("&Open\u2026"), this)),
       saveAction(new QAction(themedIcon("document-save"), tr("&Save"), this)),
       exportAction(new QAction(themedIcon("export"), tr("&Export\u2026"), this)),
@@ -59,6 +65,7 @@ FileActions::FileActions(const WindowContext& context, WorkKeeper* work, QWidget
       window_(window),
       folder_(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)) {
     newAction->setShortcut(QKeySequence::New);
+    newWindowAction->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+N")));
     openAction->setShortcut(QKeySequence::Open);
     saveAction->setShortcut(QKeySequence::Save);
     exportAction->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
@@ -67,6 +74,8 @@ FileActions::FileActions(const WindowContext& context, WorkKeeper* work, QWidget
     saveAction->setToolTip(tr("Save the document"));
     exportAction->setToolTip(tr("Export the surface, cage or solid as OBJ, STL, PLY, glTF or 3MF"));
     connect(newAction, &QAction::triggered, this, &FileActions::newDocument);
+    connect(newWindowAction, &QAction::triggered, this, &FileActions::windowWanted);
+    connect(startPageAction, &QAction::triggered, this, &FileActions::startPageWanted);
     connect(openAction, &QAction::triggered, this, &FileActions::open);
     connect(saveAction, &QAction::triggered, this, &FileActions::save);
     connect(exportAction, &QAction::triggered, this, &FileActions::exportSolid);
@@ -110,14 +119,17 @@ bool FileActions::mayReplace(const QString& sentence) {
     return mayDo({tr("Replace the file?"), sentence, tr("&Replace")});
 }
 
-void FileActions::fill(QMenu* menu) {
+void FileActions::fill(QMenu* menu, RecentActions* recent) {
     menu->addAction(newAction);
+    menu->addAction(newWindowAction);
     menu->addAction(openAction);
+    if (recent != nullptr) recent->addMenuTo(menu);
     QMenu* examples = menu->addMenu(tr("Open e&xample"));
     connect(examples, &QMenu::aboutToShow, this, [this, examples] { fillExamples(examples); });
     if (work_ != nullptr) {
         menu->addAction(tr("&Recover\u2026"), work_, &WorkKeeper::offerAll);
     }
+    if (recent != nullptr) menu->addAction(startPageAction);
     menu->addSeparator();
     menu->addAction(saveAction);
     QAction* as = menu->addAction(tr("Save &as\u2026"), this, &FileActions::saveAs);
@@ -128,25 +140,17 @@ void FileActions::fill(QMenu* menu) {
     menu->addAction(tr("Save what was done as a s&cript\u2026"), this, &FileActions::saveScript);
     menu->addSeparator();
     menu->addAction(exportAction);
+    menu->addAction(tr("Export &unit\u2026"), this, &FileActions::askUnit);
     menu->addAction(tr("Screensho&t\u2026"), this, &FileActions::screenshot);
     menu->addSeparator();
-    QAction* quit = menu->addAction(tr("&Quit"), window_, &QWidget::close);
+    QAction* quit = menu->addAction(tr("&Quit"), qApp, &QApplication::closeAllWindows);
     quit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
 }
 
 void FileActions::fillExamples(QMenu* menu) {
     menu->clear();
-    const auto resources = resourcesFolder();
-    const QDir folder((resources ? *resources : QString()) + QStringLiteral("/examples"));
-    for (const QFileInfo& file : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
-        QString title = file.completeBaseName();
-        if (const auto text = readFileBytes(file.filePath(), kMaxScriptBytes)) {
-            const auto script = readSketchScript(*text);
-            if (script && !script->title.empty()) title = coreText(script->title);
-        }
-        menu->addAction(title, this, [this, path = file.filePath()] {
-            if (mayDiscard()) openPath(path);
-        });
+    for (const Example& example : examples()) {
+        menu->addAction(example.title, this, [this, path = example.path] { openExample(path); });
     }
     if (menu->isEmpty()) menu->addAction(tr("There are no examples"))->setEnabled(false);
 }
@@ -219,6 +223,19 @@ void FileActions::newDocument() {
     if (!mayDiscard()) return;
     scriptName_.clear();
     context_.document.reset();
+    emit fileUsed({});
+}
+
+void FileActions::openAsked(const QString& path) {
+    if (mayDiscard()) openPath(path);
+}
+
+void FileActions::openExample(const QString& path) {
+    if (!mayDiscard()) return;
+    const QString own = folder_;
+    const QSignalBlocker quiet(this);  // an example is none of the person's files
+    openPath(path);
+    folder_ = own;
 }
 
 void FileActions::open() {
@@ -241,8 +258,9 @@ bool FileActions::openPath(const QString& path) {
     const FileKind kind = fileKind(*text);
     const bool script =
         kind == FileKind::Script || (kind == FileKind::Json && endsWith(path, kScriptEnding));
-    if (script) return openScript(path, *text);
-    return openDocument(path);
+    const bool opened = script ? openScript(path, *text) : openDocument(path);
+    if (opened) emit fileUsed(info.absoluteFilePath());
+    return opened;
 }
 
 bool FileActions::openDocument(const QString& path) {
@@ -337,6 +355,7 @@ bool FileActions::saveTo(const QString& path) {
     }
     if (work_ != nullptr) work_->takePicture();
     if (!report(document.save(path), {})) return false;
+    emit fileUsed(document.filePath());
     return report({}, tr("Saved to %1.").arg(document.filePath()));
 }
 
@@ -362,15 +381,47 @@ void FileActions::exportSolid() {
         {tr("Export"), QStringList{filters, triangles, polygons}.join(QStringLiteral(";;")), {}},
         &chosen);
     if (path.isEmpty()) return;
-    exportTo(path, chosen == triangles  ? ExportFaces::Triangles
-                   : chosen == polygons ? ExportFaces::Polygons
-                                        : ExportFaces::Simple);
+    ExportOptions options(chosen == triangles  ? ExportFaces::Triangles
+                          : chosen == polygons ? ExportFaces::Polygons
+                                               : ExportFaces::Simple);
+    if (askExport(path, options)) exportTo(path, options);
 }
 
-bool FileActions::exportTo(const QString& path, ExportFaces faces) {
-    const auto note = context_.document.exportTo(path, faces);
+bool FileActions::askExport(const QString& path, ExportOptions& options) {
+    const bool lacksUnit = formatLacksUnit(path.toStdString());
+    ExportDialog::Questions questions;
+    questions.bodies = static_cast<int>(context_.document.state().bodies.size());
+    if (lacksUnit && !exportUnit_) questions.unit = ExportUnit::Millimetre;
+    if (questions.unit || questions.bodies > 1) {
+        ExportDialog dialog(questions, window_);
+        if (dialog.exec() != QDialog::Accepted) return false;
+        if (questions.unit) exportUnit_ = dialog.unit();
+        options.bodies = dialog.bodies();
+    }
+    if (lacksUnit) options.unit = *exportUnit_;
+    return true;
+}
+
+void FileActions::askUnit() {
+    ExportDialog::Questions questions;
+    questions.bodies = 0;
+    questions.unit = exportUnit_.value_or(ExportUnit::Millimetre);
+    ExportDialog dialog(questions, window_);
+    if (dialog.exec() == QDialog::Accepted) exportUnit_ = dialog.unit();
+}
+
+bool FileActions::exportTo(const QString& path, const ExportOptions& options) {
+    const auto note = exportWithProgress(context_.document, path, options, window_);
+    if (!note && note.error().code == Errc::Cancelled) {
+        context_.messages.showNotice(tr("The export was given up; no file was written."));
+        return false;
+    }
     if (!note) return report(fail(note.error()), {});
-    return report({}, (tr("Exported to %1.").arg(path) + ' ' + coreText(*note)).trimmed());
+    const QString done =
+        formatLacksUnit(path.toStdString())
+            ? tr("Exported to %1, lengths in %2.").arg(path, exportUnitText(options.unit))
+            : tr("Exported to %1.").arg(path);
+    return report({}, (done + ' ' + coreText(*note)).trimmed());
 }
 
 void FileActions::screenshot() {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "core/document/replay.h"
 #include "ui/window_context.h"
@@ -13,6 +14,7 @@ class QWidget;
 
 namespace ew {
 
+class RecentActions;
 class WorkKeeper;
 
 /// New, open, save, export, scripts and pictures.
@@ -26,16 +28,24 @@ class FileActions : public QObject {
     FileActions(const WindowContext& context, WorkKeeper* work, QWidget* window);
 
     /// Fills the File menu. Examples are looked for when their menu opens.
-    void fill(QMenu* menu);
+    /// \param recent  lists recent files; null: there is no such list.
+    void fill(QMenu* menu, RecentActions* recent = nullptr);
 
     /// A document, or a sketch script that is replayed into an empty document; the content tells
     /// which. Nothing is written: steps that write or open files are left out, and told. Says why
     /// in the message bar where it fails.
     bool openPath(const QString& path);
+    /// The same, after asking about unsaved changes.
+    void openAsked(const QString& path);
+    /// The same for an example: the folder of the person's own files stays the one to start from.
+    void openExample(const QString& path);
     /// Asks first where someone else changed the document's file meanwhile.
     bool saveTo(const QString& path);
     bool saveScriptTo(const QString& path);
-    bool exportTo(const QString& path, ExportFaces faces = ExportFaces::Simple);
+    bool exportTo(const QString& path, const ExportOptions& options = {});
+    /// The unit of formats that have none, once a person has said which.
+    const std::optional<ExportUnit>& exportUnit() const { return exportUnit_; }
+    void setExportUnit(std::optional<ExportUnit> unit) { exportUnit_ = unit; }
     bool screenshotTo(const QString& path);
 
     /// Asks about unsaved changes where there are any; false: do not go on.
@@ -43,21 +53,35 @@ class FileActions : public QObject {
     /// How mayDiscard() asks; a message box unless set.
     void setQuestion(std::function<Answer()> question) { question_ = std::move(question); }
 
+    void newDocument();
+    void open();
+
+  signals:
+    /// A file was opened or saved; empty: what is shown has none any more.
+    void fileUsed(const QString& path);
+    /// A further window is wanted.
+    void windowWanted();
+    void startPageWanted();
+
+  public:
     QAction* newAction;
+    QAction* newWindowAction;
+    QAction* startPageAction;
     QAction* openAction;
     QAction* saveAction;
     QAction* exportAction;
     QAction* revertAction;
 
   private:
-    void newDocument();
-    void open();
     bool save();
     bool saveAs();
     void saveCopy();
     void revert();
     void saveScript();
     void exportSolid();
+    /// Asks for what the export leaves open. False: it is given up.
+    bool askExport(const QString& path, ExportOptions& options);
+    void askUnit();
     void screenshot();
     void fillExamples(QMenu* menu);
     struct SaveDialog {
@@ -91,6 +115,7 @@ class FileActions : public QObject {
     WorkKeeper* work_;
     QWidget* window_;
     std::function<Answer()> question_;
+    std::optional<ExportUnit> exportUnit_;
     QString folder_;
     QString scriptName_;  ///< of the script that was opened last, without its ending
 };

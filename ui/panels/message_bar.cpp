@@ -109,6 +109,7 @@ void MessageBar::showNotice(const QString& text) {
 
 void MessageBar::showError(const Error& error) {
     notice_ = Sentence{Tone::Warning, coreText(error.message)};
+    show();  // the start page hides it
     refresh();
 }
 
