@@ -119,7 +119,10 @@ TEST(Soak, RandomWorkStaysValidSmallAndFlat) {
     }
     EXPECT_GT(solids.checked(), static_cast<std::size_t>(commands) / 100);
 #if !defined(__SANITIZE_ADDRESS__)
-    EXPECT_LE(static_cast<double>(most), 1.1 * static_cast<double>(warm));
+    // Patches of surfaces are kept by topology, for all documents, up to a bound of their own
+    // (PatchCache in limit_surface.cpp), which takes longer to reach than the warm-up.
+    constexpr double kPatches = 256.0 * (1U << 20U);
+    EXPECT_LE(static_cast<double>(most), 1.1 * static_cast<double>(warm) + kPatches);
 #endif
 }
 
