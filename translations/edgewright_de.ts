@@ -1225,6 +1225,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>begin</source>
         <translation>Beginn</translation>
     </message>
+    <message>
+        <source>name</source>
+        <translation>Benennen</translation>
+    </message>
+    <message>
+        <source>compact</source>
+        <translation>Verdichten</translation>
+    </message>
 </context>
 <context>
     <name>ew::CandidateCard</name>
@@ -1746,7 +1754,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
     <message>
         <source>New &amp;window</source>
-        <translation>Neues &amp;Fenster</translation>
+        <translation>Neues Fenster</translation>
     </message>
     <message>
         <source>Start pa&amp;ge</source>
@@ -1754,7 +1762,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
     <message>
         <source>Export &amp;unit…</source>
-        <translation>Export-E&amp;inheit …</translation>
+        <translation>Export-Ein&amp;heit …</translation>
     </message>
     <message>
         <source>The export was given up; no file was written.</source>
@@ -1867,16 +1875,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>&amp;Name…</source>
-        <translation>Be&amp;nennen …</translation>
+        <source>Name…</source>
+        <translation>Benennen …</translation>
     </message>
     <message>
-        <source>&amp;Change…</source>
-        <translation>Än&amp;dern …</translation>
+        <source>Change…</source>
+        <translation>Ändern …</translation>
     </message>
     <message>
-        <source>Take the change &amp;back</source>
-        <translation>Änderung &amp;zurücknehmen</translation>
+        <source>Take the change back</source>
+        <translation>Änderung zurücknehmen</translation>
     </message>
     <message>
         <source>Gives this state a name (F2).</source>

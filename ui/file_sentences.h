@@ -72,6 +72,8 @@ inline constexpr const char* kStepWords[] = {
     QT_TRANSLATE_NOOP("Step", "save"),
     QT_TRANSLATE_NOOP("Step", "open"),
     QT_TRANSLATE_NOOP("Step", "export"),
+    QT_TRANSLATE_NOOP("Step", "name"),
+    QT_TRANSLATE_NOOP("Step", "compact"),
     QT_TRANSLATE_NOOP("Step", "begin"),
 };
 

@@ -13,6 +13,7 @@
 
 #include "core/document/file_bytes.h"
 #include "core/document/file_names.h"
+#include "core/document/resources.h"
 #include "core/document/sketch_script.h"
 #include "core/document/store.h"
 #include "ui/actions/recent_actions.h"

@@ -27,9 +27,9 @@ HistoryPanel::HistoryPanel(Document& document, Appearance& appearance, QWidget* 
       appearance_(appearance),
       model_(new HistoryModel(document, appearance, this)),
       list_(new QListView(this)),
-      name_(new QPushButton(tr("&Name\u2026"), this)),
-      change_(new QPushButton(tr("&Change\u2026"), this)),
-      takeBack_(new QPushButton(tr("Take the change &back"), this)) {
+      name_(new QPushButton(tr("Name\u2026"), this)),
+      change_(new QPushButton(tr("Change\u2026"), this)),
+      takeBack_(new QPushButton(tr("Take the change back"), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kMargin, metrics::kSpace, metrics::kMargin,
                                metrics::kMargin);
@@ -116,7 +116,7 @@ void HistoryPanel::menuAt(const QPoint& place) {
     QMenu menu;
     menu.addAction(tr("&Go there"), this, [this, row] { goTo(row); })
         ->setEnabled(row != currentRow());
-    menu.addAction(tr("&Name\u2026"), this, [this, row] { nameState(row); });
+    menu.addAction(tr("Name\u2026"), this, [this, row] { nameState(row); });
     menu.addAction(tr("&Change the step\u2026"), this, [this, row] { changeStep(row); })
         ->setEnabled(canChange(row));
     menu.addSeparator();
@@ -195,7 +195,7 @@ void HistoryPanel::tell(const HistoryChange& change, int place) {
     box.setInformativeText(lines.mid(0, kMostLines).join('\n'));
     if (lines.size() > kMostLines) box.setDetailedText(lines.join('\n'));
     auto* keep = box.addButton(tr("&Keep"), QMessageBox::AcceptRole);
-    const auto* back = box.addButton(tr("Take the change &back"), QMessageBox::RejectRole);
+    const auto* back = box.addButton(tr("Take the change back"), QMessageBox::RejectRole);
     box.setDefaultButton(keep);
     box.exec();
     if (box.clickedButton() == back) document_.takeBackHistory();
