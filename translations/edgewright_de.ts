@@ -1754,7 +1754,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
     <message>
         <source>New &amp;window</source>
-        <translation>Neues Fenster</translation>
+        <translation>Neues Fenste&amp;r</translation>
     </message>
     <message>
         <source>Start pa&amp;ge</source>
