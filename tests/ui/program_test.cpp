@@ -73,7 +73,7 @@ TEST_F(Programs, WithoutADisplayTheySaySo) {
 
 TEST_F(Programs, UnusableArgumentsAndFilesAreStatusTwo) {
     EXPECT_EQ(run("edgewright", {"--bogus"}, display()).status, 2);
-    EXPECT_EQ(run("edgewright", {"a", "b"}, display()).status, 2);
+    EXPECT_EQ(run("edgewright", {"a", "b", "--screenshot", "p.png"}, display()).status, 2);
     EXPECT_EQ(run("edgewright", {"--language", "tlh"}, display()).status, 2);
     EXPECT_EQ(run("edgewright-render", {"--bogus"}, display()).status, 2);
     const Outcome missing = run("edgewright", {"none.json", "--screenshot", "p.png"}, display());
