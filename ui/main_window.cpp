@@ -94,8 +94,10 @@ MainWindow::~MainWindow() {
     // document.
     endTyping();
     hide();
-    delete tools_;
+    // A shape that is being made may still become a step, which the tools and their actions hear
+    // of.
     surface_->settle();
+    delete tools_;
     delete work_;
     delete takeCentralWidget();
 }
