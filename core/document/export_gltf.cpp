@@ -2,14 +2,13 @@
 #include "core/document/export_gltf.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
 #include "core/document/export_place.h"
+#include "core/document/little_endian.h"
 
 namespace ew {
 namespace {
@@ -24,14 +23,6 @@ constexpr int kLineStrip = 3;
 constexpr int kTriangles = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-template <class T>
-void put(std::string& out, T value) {
-    std::array<char, sizeof(T)> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof(T));
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    out.append(bytes.data(), bytes.size());
-}
 
 bool fitsFloat(const Vec3& p) {
     return p.allFinite() && p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max();
@@ -161,14 +152,14 @@ class Writer {
         }
         std::string out;
         out.reserve(total);
-        put(out, std::uint32_t{0x46546C67});  // "glTF"
-        put(out, std::uint32_t{2});
-        put(out, static_cast<std::uint32_t>(total));
-        put(out, static_cast<std::uint32_t>(text.size()));
-        put(out, std::uint32_t{0x4E4F534A});  // "JSON"
+        appendLittleEndian(out, std::uint32_t{0x46546C67});  // "glTF"
+        appendLittleEndian(out, std::uint32_t{2});
+        appendLittleEndian(out, static_cast<std::uint32_t>(total));
+        appendLittleEndian(out, static_cast<std::uint32_t>(text.size()));
+        appendLittleEndian(out, std::uint32_t{0x4E4F534A});  // "JSON"
         out += text;
-        put(out, static_cast<std::uint32_t>(bin_.size()));
-        put(out, std::uint32_t{0x004E4942});  // "BIN"
+        appendLittleEndian(out, static_cast<std::uint32_t>(bin_.size()));
+        appendLittleEndian(out, std::uint32_t{0x004E4942});  // "BIN"
         out += bin_;
         return out;
     }
@@ -192,7 +183,7 @@ class Writer {
             const Eigen::Vector3f f = p.cast<float>();
             low = low.cwiseMin(f);
             high = high.cwiseMax(f);
-            for (int k = 0; k < 3; ++k) put(bin_, f[k]);
+            for (int k = 0; k < 3; ++k) appendLittleEndian(bin_, f[k]);
         }
         ordered_json accessor{
             {"componentType", kFloat}, {"count", points.size()}, {"type", "VEC3"}};
@@ -206,7 +197,7 @@ class Writer {
     int addIndices(const std::vector<std::array<int, 3>>& triangles) {
         const std::size_t from = bin_.size();
         for (const auto& t : triangles) {
-            for (const int i : t) put(bin_, static_cast<std::uint32_t>(i));
+            for (const int i : t) appendLittleEndian(bin_, static_cast<std::uint32_t>(i));
         }
         return addAccessor(
             kElementArrayBuffer,

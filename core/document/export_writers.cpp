@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/export_writers.h"
 
-#include <bit>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+
+#include "core/document/little_endian.h"
 
 namespace ew {
 
@@ -51,15 +51,6 @@ void appendFaces(std::string& out, const WorldMesh& body, std::size_t base, std:
     }
 }
 
-/// Appends a number in little endian order.
-template <class T>
-void put(std::string& out, T value) {
-    std::array<char, sizeof(T)> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof(T));
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    out.append(bytes.data(), bytes.size());
-}
-
 }  // namespace
 
 std::string placeText(const Vec3& p) {
@@ -100,9 +91,9 @@ std::string stlBytes(const WorldMeshes& meshes, ExportProgress& progress) {
     std::string out = "Edgewright, " + meshes.unit;
     if (!meshes.origin.isZero(0.0)) out.append(", origin at ").append(placeText(meshes.origin));
     out.resize(80, ' ');
-    put(out, static_cast<std::uint32_t>(meshes.triangles()));
+    appendLittleEndian(out, static_cast<std::uint32_t>(meshes.triangles()));
     const auto putVec = [&](const Vec3& v) {
-        for (int k = 0; k < 3; ++k) put(out, static_cast<float>(v[k]));
+        for (int k = 0; k < 3; ++k) appendLittleEndian(out, static_cast<float>(v[k]));
     };
     for (const WorldMesh& body : bodies) {
         for (const auto& t : body.triangles) {
@@ -114,7 +105,7 @@ std::string stlBytes(const WorldMeshes& meshes, ExportProgress& progress) {
             putVec(a);
             putVec(b);
             putVec(c);
-            put(out, std::uint16_t{0});
+            appendLittleEndian(out, std::uint16_t{0});
         }
     }
     return out;
@@ -143,7 +134,7 @@ std::string plyBytes(const WorldMeshes& meshes, ExportProgress& progress) {
     out.append(" int vertex_indices\nend_header\n");
     for (const WorldMesh& body : bodies) {
         for (const Vec3& p : body.points) {
-            for (int k = 0; k < 3; ++k) put(out, p[k]);
+            for (int k = 0; k < 3; ++k) appendLittleEndian(out, p[k]);
         }
     }
     std::int32_t base = 0;
@@ -151,11 +142,12 @@ std::string plyBytes(const WorldMeshes& meshes, ExportProgress& progress) {
         for (const auto& polygon : body.polygons) {
             if (!progress.did(1)) return out;
             if (shortLists) {
-                put(out, static_cast<std::uint8_t>(polygon.size()));
+                appendLittleEndian(out, static_cast<std::uint8_t>(polygon.size()));
             } else {
-                put(out, static_cast<std::uint32_t>(polygon.size()));
+                appendLittleEndian(out, static_cast<std::uint32_t>(polygon.size()));
             }
-            for (const int i : polygon) put(out, static_cast<std::int32_t>(base + i));
+            for (const int i : polygon)
+                appendLittleEndian(out, static_cast<std::int32_t>(base + i));
         }
         base += static_cast<std::int32_t>(body.points.size());
     }

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
+
+#include "core/base/disjoint_sets.h"
 
 namespace ew {
 namespace {
@@ -15,8 +16,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// node: a path from it and back to it makes another region.
 class Joined {
   public:
-    explicit Joined(const EdgeGraph& graph) : graph_(graph), node_(2 * graph.dangling.size() + 1) {
-        std::iota(node_.begin(), node_.end(), 0);
+    explicit Joined(const EdgeGraph& graph) : graph_(graph), nodes_(nodeCount()) {
         for (std::size_t line = 0; line < graph.dangling.size(); ++line) {
             if (graph.dangling[line].junction >= 0) join(end(line, 0), kRegions);
             for (std::size_t other = 0; other < line; ++other) joinWhereTheyMeet(line, other);
@@ -47,16 +47,10 @@ class Joined {
     static int end(std::size_t line, std::size_t side) {
         return static_cast<int>(2 * line + side) + 1;
     }
-    int find(int node) const {
-        while (node_[at(node)] != node) node = node_[at(node)];
-        return node;
-    }
+    std::size_t nodeCount() const { return 2 * graph_.dangling.size() + 1; }
+    int find(int node) { return nodes_.root(node); }
     /// The node of the regions stays its own.
-    void join(int a, int b) {
-        a = find(a);
-        b = find(b);
-        node_[at(std::max(a, b))] = std::min(a, b);
-    }
+    void join(int a, int b) { nodes_.join(std::max(find(a), find(b)), std::min(find(a), find(b))); }
     void joinWhereTheyMeet(std::size_t line, std::size_t other) {
         for (std::size_t a = 0; a < 2; ++a) {
             for (std::size_t b = 0; b < 2; ++b) {
@@ -84,8 +78,8 @@ class Joined {
         }
         return kRegions;
     }
-    bool dropLooseLines(std::vector<bool>& kept) const {
-        std::vector<int> lines(node_.size(), 0);
+    bool dropLooseLines(std::vector<bool>& kept) {
+        std::vector<int> lines(nodeCount(), 0);
         for (std::size_t line = 0; line < kept.size(); ++line) {
             if (!kept[line]) continue;
             ++lines[at(find(end(line, 0)))];
@@ -102,7 +96,7 @@ class Joined {
     }
 
     const EdgeGraph& graph_;
-    std::vector<int> node_;
+    DisjointSets nodes_;
 };
 
 }  // namespace

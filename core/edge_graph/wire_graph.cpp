@@ -182,23 +182,22 @@ class Covered {
         out.tips = {a, b};
         constexpr double kStepPx = 4.0;
         const int steps = 2 + static_cast<int>((b - a).norm() / kStepPx);
-        std::vector<const GraphEdge*> over;
-        for (const GraphEdge& e : graph.edges) {
-            if ((e.ends[0] == from && e.ends[1] == to) || (e.ends[1] == from && e.ends[0] == to)) {
-                return std::nullopt;
-            }
-            over.push_back(&e);
-        }
+        const bool known =
+            std::any_of(graph.edges.begin(), graph.edges.end(), [&](const GraphEdge& e) {
+                return std::minmax(e.ends[0], e.ends[1]) == std::minmax(from, to);
+            });
+        if (known) return std::nullopt;
         for (int k = 1; k < steps; ++k) {
             const Vec2 p = a + (b - a) * k / steps;
-            const auto cover = std::find_if(over.begin(), over.end(), [&](const GraphEdge* e) {
-                return runsAlong(graph, *e, b - a) &&
-                       distanceToSegment(p, graph.junctions[at(e->ends[0])].position,
-                                         graph.junctions[at(e->ends[1])].position, near_) < near_;
-            });
-            if (cover == over.end()) return std::nullopt;
-            out.strokes.insert(out.strokes.end(), (*cover)->strokes.begin(),
-                               (*cover)->strokes.end());
+            const auto cover =
+                std::find_if(graph.edges.begin(), graph.edges.end(), [&](const GraphEdge& e) {
+                    return runsAlong(graph, e, b - a) &&
+                           distanceToSegment(p, graph.junctions[at(e.ends[0])].position,
+                                             graph.junctions[at(e.ends[1])].position,
+                                             near_) < near_;
+                });
+            if (cover == graph.edges.end()) return std::nullopt;
+            out.strokes.insert(out.strokes.end(), cover->strokes.begin(), cover->strokes.end());
         }
         std::sort(out.strokes.begin(), out.strokes.end());
         out.strokes.erase(std::unique(out.strokes.begin(), out.strokes.end()), out.strokes.end());
@@ -217,10 +216,6 @@ class Covered {
     double near_;
     std::vector<EdgeGraph> found_;
 };
-
-}  // namespace
-
-namespace {
 
 std::vector<EdgeGraph> wireGraphsOf(const InkReading& ink, const std::vector<InkLine>& lines,
                                     double distancePx) {
