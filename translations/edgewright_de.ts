@@ -240,6 +240,10 @@
         <translation>Im Inneren des Körpers wird ein Hohlraum eingeschlossen.</translation>
     </message>
     <message>
+        <source>The file %1 was written by a later version of Edgewright, and what this one does not know of it would be lost; save under another name.</source>
+        <translation>Die Datei %1 wurde von einer neueren Version von Edgewright geschrieben, und was diese hier nicht kennt, ginge verloren; bitte unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
         <source>The file %1 could not be written: %2.</source>
         <translation>Die Datei %1 konnte nicht geschrieben werden: %2.</translation>
     </message>
@@ -734,6 +738,10 @@
     <message>
         <source>%1 is damaged and cannot be opened whole: %2.</source>
         <translation>%1 ist beschädigt und lässt sich nicht ganz öffnen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: The document was written by a later version (its schema is %2, this program reads up to %3); a later version of Edgewright is needed.</source>
+        <translation>%1: Das Dokument wurde von einer neueren Version geschrieben (Schema %2, dieses Programm liest bis %3); eine neuere Version von Edgewright wird gebraucht.</translation>
     </message>
     <message>
         <source>%1: The document was written by a later version (its schema is %2, this program reads up to %3); Edgewright %4 or later is needed.</source>
@@ -1532,10 +1540,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
-    <name>ew::ExportJob</name>
+    <name>ew::LongJob</name>
     <message>
         <source>Exporting %1…</source>
         <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1715,6 +1727,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Save a cop&amp;y…</source>
         <translation>Kop&amp;ie speichern …</translation>
+    </message>
+    <message>
+        <source>%1 was not opened.</source>
+        <translation>%1 wurde nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a later version and may hold more than is shown here; changes are saved under another name.</source>
+        <translation>%1 stammt von einer neueren Version und enthält vielleicht mehr, als hier zu sehen ist; Änderungen werden unter einem anderen Namen gespeichert.</translation>
     </message>
     <message>
         <source>%1 is open in another window, too: %2.</source>
@@ -2042,6 +2062,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Untitled</source>
         <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (schreibgeschützt)</translation>
     </message>
     <message>
         <source>%1[*] – Edgewright</source>

@@ -24,6 +24,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "%1: The document was written by a later version (its schema is %2, this "
                       "program reads up to %3); Edgewright %4 or later is needed."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: The document was written by a later version (its schema is %2, this "
+                      "program reads up to %3); a later version of Edgewright is needed."),
     QT_TRANSLATE_NOOP("Core", "Another window has this document open."),
     QT_TRANSLATE_NOOP("Core", "The folder %1 cannot be made or written to."),
     QT_TRANSLATE_NOOP("Core", "there is no room left on the disk"),
@@ -178,6 +181,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, edge %5 leaves no more room"),
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4, corner %5 leaves no more room"),
     QT_TRANSLATE_NOOP("Core", "Edge %1 (%2 long): %3 instead of %4"),
+    QT_TRANSLATE_NOOP("Core",
+                      "The file %1 was written by a later version of Edgewright, and what this one "
+                      "does not know of it would be lost; save under another name."),
     QT_TRANSLATE_NOOP("Core", "The file %1 could not be written: %2."),
     QT_TRANSLATE_NOOP(
         "Core", "A document cannot be called %1: files that end in .json are sketch scripts."),

@@ -353,7 +353,8 @@ void MainWindow::refreshTitle() {
         setWindowTitle(QStringLiteral("Edgewright"));
         return;
     }
-    setWindowTitle(tr("%1[*] \u2013 Edgewright").arg(name));
+    const QString shown = document_->isReadOnly() ? tr("%1 (read-only)").arg(name) : name;
+    setWindowTitle(tr("%1[*] \u2013 Edgewright").arg(shown));
     setWindowModified(document_->isModified());
 }
 

@@ -24,6 +24,7 @@ namespace ew {
 
 struct DocumentFile;
 struct DocumentUpdate;
+struct OpenedFile;
 struct HistoryChange;
 
 /// The document's truth, as an immutable snapshot. Undo and redo swap snapshots.
@@ -239,8 +240,12 @@ class Document : public QObject {
     Result<void> save(const QString& wanted);
     /// Writes the same into another file, and goes on with the one that it has.
     Result<void> saveCopy(const QString& wanted) const;
-    /// Replaces everything, history included; on error nothing changes.
+    /// Replaces everything, history included; on error nothing changes. Errors: of loadDocument().
     Result<void> open(const QString& path);
+    /// What open() does on the disk, as a task for another thread; open() then takes what it gives.
+    std::function<Result<OpenedFile>()> openTask(const QString& path,
+                                                 std::function<bool(double)> progress = {}) const;
+    void open(OpenedFile opened);
     void reset();
     QString filePath() const;
     /// What the document is called in itself, whatever its file is called.
@@ -249,6 +254,8 @@ class Document : public QObject {
     /// Was the file written to or replaced by anyone else since it was opened or saved? False where
     /// it is gone: saving it then overwrites nothing.
     bool fileChangedByOthers() const;
+    /// Does the file hold more than this version knows? Then nothing is saved over it.
+    bool isReadOnly() const;
     bool isModified() const;
     /// Writes the surface, else the filleted cage, else the solid: .obj, .stl, .ply, .glb, .3mf by
     /// extension. A sentence for the person, or nothing, and the errors, of exportShape().

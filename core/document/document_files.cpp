@@ -235,15 +235,28 @@ Result<void> Document::save(const QString& wanted) {
     return {};
 }
 
-Result<void> Document::open(const QString& path) {
-    // Before it is read: what is written meanwhile counts as a change.
-    const auto stamp = fileStamp(path);
-    auto file = loadDocument(path, d_->shipped);
-    if (!file) return fail(file.error());
-    d_->path = path;
-    d_->fileStamp = stamp;
+std::function<Result<OpenedFile>()> Document::openTask(const QString& path,
+                                                       std::function<bool(double)> progress) const {
+    return [path, shipped = d_->shipped, progress = std::move(progress)]() -> Result<OpenedFile> {
+        // Before it is read: what is written meanwhile counts as a change.
+        const auto stamp = fileStamp(path);
+        auto file = loadDocument(path, shipped, progress);
+        if (!file) return fail(file.error());
+        return OpenedFile{path, stamp, std::make_shared<DocumentFile>(*std::move(file))};
+    };
+}
+
+void Document::open(OpenedFile opened) {
+    d_->path = opened.path;
+    d_->fileStamp = opened.stamp;
     d_->forgetShapes();
-    d_->adopt(*std::move(file));
+    d_->adopt(std::move(*opened.file));
+}
+
+Result<void> Document::open(const QString& path) {
+    auto opened = openTask(path)();
+    if (!opened) return fail(opened.error());
+    open(*std::move(opened));
     return {};
 }
 
@@ -290,6 +303,8 @@ bool Document::fileChangedByOthers() const {
     const auto now = fileStamp(d_->path);
     return now && now != d_->fileStamp;
 }
+
+bool Document::isReadOnly() const { return !d_->path.isEmpty() && isFileOfLaterSchema(d_->path); }
 
 bool Document::isModified() const { return d_->revision != d_->savedRevision; }
 

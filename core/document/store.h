@@ -4,6 +4,7 @@
 #include <QString>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -62,6 +63,13 @@ struct DocumentFile {
     }
 };
 
+/// A document as it was read from a file.
+struct OpenedFile {
+    QString path;
+    std::optional<FileStamp> stamp;      ///< of the file when it was read
+    std::shared_ptr<DocumentFile> file;  ///< never null
+};
+
 /// What a file must be told to be up to date again: a DocumentFile in which only some of the
 /// strokes, commands and script entries stand.
 struct DocumentUpdate {
@@ -86,20 +94,31 @@ inline constexpr std::size_t kMaxSchema1Bytes = 256U << 20U;
 /// documents give equal bytes. Errors: TooMuchMemory.
 Result<std::string> writeDocument(const DocumentFile& file);
 
+/// Told how much of a file is read, 0 to 1; false gives up. May come from any thread, but from one
+/// at a time.
+using ReadProgress = std::function<bool(double)>;
+
 /// Reads writeDocument's bytes, or the JSON text of schema 1. Everything is checked. Errors of
 /// both: TooLarge, Damaged, BadValue and those of readTemplate, TemplateLibrary::with and
-/// Solid::deserialize; WrongVersion, whose sentence says which version of the program reads the
-/// file; of schema 1 also TooDeep, Syntax, WrongFormat, UnknownKey, MissingKey, WrongType. Messages
-/// name the place in the file.
-/// \param shipped  the templates that every library starts with; where a template of the document
+/// Solid::deserialize; WrongVersion for a later schema that this program cannot read at all, whose
+/// sentence says which version of the program does; Cancelled; of schema 1 also TooDeep, Syntax,
+/// WrongFormat, UnknownKey, MissingKey, WrongType. Messages name the place in the file. \param
+/// shipped  the templates that every library starts with; where a template of the document
 ///                 has the same id, the document's takes its place.
-Result<DocumentFile> readDocument(const std::string& bytes, const TemplateLibrary& shipped);
+Result<DocumentFile> readDocument(const std::string& bytes, const TemplateLibrary& shipped,
+                                  const ReadProgress& progress = {});
+
+/// Was the document at this path written by a version with a later schema? Nothing is written over
+/// such a file. False where there is none.
+bool isFileOfLaterSchema(const QString& path);
 
 /// Writes atomically: the old file stands until the new one is whole. Errc::CannotWrite,
-/// Errc::TooLarge where the file could not be read back.
+/// Errc::TooLarge where the file could not be read back, Errc::WrongVersion where a document of a
+/// later schema stands there.
 Result<void> saveDocument(const DocumentFile& file, const QString& path);
 
 /// Errc::FileNotFound, Errc::TooLarge and the errors of readDocument.
-Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped);
+Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped,
+                                  const ReadProgress& progress = {});
 
 }  // namespace ew

@@ -51,11 +51,12 @@ std::pair<std::string, bool> packBlob(const std::string& content) {
     return {packed.toStdString(), true};
 }
 
-Result<std::string> unpackBlob(const std::string& data, bool packed, std::size_t size,
-                               const std::string& sha256) {
+Result<std::string> unpackBlob(const PackedBlob& blob) {
+    const std::string& data = blob.data;
+    const std::size_t size = blob.size;
     const auto damaged = [] { return fail(Errc::Damaged, "a blob does not fit its hash"); };
     std::string content;
-    if (packed) {
+    if (blob.packed) {
         constexpr std::size_t kHead = 4;
         if (data.size() < kHead || size > kLargestBlob || size / kMostPacked > data.size()) {
             return damaged();
@@ -71,7 +72,7 @@ Result<std::string> unpackBlob(const std::string& data, bool packed, std::size_t
     } else {
         content = data;
     }
-    if (content.size() != size || contentHash(content) != sha256) return damaged();
+    if (content.size() != size || contentHash(content) != blob.sha) return damaged();
     return content;
 }
 

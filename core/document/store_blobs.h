@@ -17,10 +17,17 @@ std::string contentHash(const std::string& content);
 /// and false where that is no larger.
 std::pair<std::string, bool> packBlob(const std::string& content);
 
+/// A blob as it stands in a file.
+struct PackedBlob {
+    std::string sha;  ///< of the content
+    std::string data;
+    std::size_t size = 0;  ///< of the content, as the file tells it [bytes]
+    bool packed = false;
+};
+
 /// Undoes packBlob. Errc::Damaged where it is no blob of this size or hash; no more memory is taken
 /// than the size that was told, and that is checked against the bytes before.
-Result<std::string> unpackBlob(const std::string& data, bool packed, std::size_t size,
-                               const std::string& sha256);
+Result<std::string> unpackBlob(const PackedBlob& blob);
 
 /// The samples of a stroke: x, y, pressure, time of each as doubles, least byte first.
 std::string samplesBlob(const Stroke& stroke);

@@ -3,16 +3,15 @@
 
 #include <QByteArray>
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <optional>
 #include <set>
-#include <thread>
 #include <unordered_map>
 
 #include "core/document/sketch_script_json.h"
 #include "core/document/store_blobs.h"
 #include "core/document/store_schema.h"
+#include "core/document/store_solids.h"
 #include "core/document/store_surface.h"
 #include "core/document/store_values.h"
 #include "core/tlib/template_io.h"
@@ -76,18 +75,12 @@ const auto& known(const Map& map, std::int64_t id, const std::string& place, con
 
 class DatabaseReader {
   public:
-    DatabaseReader(Database& database, const TemplateLibrary& shipped)
-        : db_(database), shipped_(shipped) {}
+    DatabaseReader(Database& database, const TemplateLibrary& shipped, ReadProgress progress = {})
+        : db_(database), shipped_(shipped), progress_(std::move(progress)) {}
     DocumentFile read();
     DocumentSummary summary();
 
   private:
-    struct PackedBlob {
-        std::string sha, data;
-        std::size_t size = 0;
-        bool packed = false;
-    };
-
     template <class Visit>
     void each(const Table& table, const Visit& visit) {
         const auto ok = db_.each(table, [&](const Row& row) -> Result<void> {
@@ -119,6 +112,7 @@ class DatabaseReader {
 
     Database& db_;
     const TemplateLibrary& shipped_;
+    ReadProgress progress_;
     DocumentFile file_;
     std::map<std::string, json> settings_;
     std::unordered_map<std::int64_t, PackedBlob> blobs_;
@@ -164,8 +158,7 @@ void DatabaseReader::readBlobs() {
 }
 
 std::string DatabaseReader::blob(std::int64_t id, const std::string& place) const {
-    const PackedBlob& packed = known(blobs_, id, place, "blob");
-    auto content = unpackBlob(packed.data, packed.packed, packed.size, packed.sha);
+    auto content = unpackBlob(known(blobs_, id, place, "blob"));
     if (!content) throwRead(content.error().code, place + ": " + content.error().message);
     return *std::move(content);
 }
@@ -252,34 +245,16 @@ void DatabaseReader::readSolids() {
         }
     });
     const std::vector<std::int64_t> ids(named.begin(), named.end());
-    for (const std::int64_t id : ids) known(blobs_, id, "state", "blob");
-    // Each is checked as if it were new, which is most of the work of opening a long history.
-    std::vector<std::optional<Result<Solid>>> read(ids.size());
-    std::atomic<std::size_t> next = 0;
-    const auto readSome = [&] {
-        for (std::size_t i = next++; i < ids.size(); i = next++) {
-            const PackedBlob& b = blobs_.at(ids[i]);
-            const auto text = unpackBlob(b.data, b.packed, b.size, b.sha);
-            read[i] = text ? Solid::deserialize(*text) : Result<Solid>(fail(text.error()));
-        }
-    };
-    {
-        constexpr std::size_t kWorthAThread = 8;
-        constexpr std::size_t kMostThreads = 8;
-        const std::size_t processors =
-            std::min<std::size_t>(kMostThreads, std::max(1U, std::thread::hardware_concurrency()));
-        std::vector<std::jthread> helpers;
-        while (helpers.size() + 1 < std::min(processors, ids.size() / kWorthAThread)) {
-            helpers.emplace_back(readSome);
-        }
-        readSome();
-    }
+    std::vector<const PackedBlob*> packed;
+    packed.reserve(ids.size());
+    for (const std::int64_t id : ids) packed.push_back(&known(blobs_, id, "state", "blob"));
+    auto read = solidsFromBlobs(packed, progress_);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (!*read[i]) {
-            throwRead((*read[i]).error().code,
-                      "blob " + std::to_string(ids[i]) + ": " + (*read[i]).error().message);
+        if (!read[i]) {
+            throwRead(read[i].error().code,
+                      "blob " + std::to_string(ids[i]) + ": " + read[i].error().message);
         }
-        solids_.emplace(ids[i], **std::move(read[i]));
+        solids_.emplace(ids[i], *std::move(read[i]));
     }
 }
 
@@ -475,9 +450,10 @@ DocumentSummary DatabaseReader::summary() {
 
 }  // namespace
 
-Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped) {
+Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped,
+                                  const ReadProgress& progress) {
     try {
-        return DatabaseReader(database, shipped).read();
+        return DatabaseReader(database, shipped, progress).read();
     } catch (ReadError& e) {
         return fail(std::move(e.error));
     }

@@ -7,7 +7,8 @@
 namespace ew {
 
 /// Reads a database of schema 2. Everything is checked; errors as readDocument().
-Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped);
+Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped,
+                                  const ReadProgress& progress = {});
 
 /// What a list of documents shows of one.
 struct DocumentSummary {

@@ -15,6 +15,7 @@
 
 #include "core/document/store_schema.h"
 #include "tests/document/fixtures.h"
+#include "tests/document/later_version.h"
 
 namespace ew {
 namespace {
@@ -284,6 +285,54 @@ TEST(Store, ALaterSchemaSaysWhichVersionItNeeds) {
     EXPECT_EQ(read.error().code, Errc::WrongVersion);
     EXPECT_NE(read.error().message.find("7.5.0"), std::string::npos) << read.error().message;
     EXPECT_NE(read.error().message.find("schema is 9"), std::string::npos) << read.error().message;
+}
+
+TEST(Store, ALaterSchemaThatSaysSoIsReadAndNeverWrittenOver) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("later.edgewright");
+    const std::string later = test::ofLaterVersion(richFile(), "2");
+    ASSERT_TRUE(writeFileBytes(path, later));
+    const auto d = fakeDocument();
+    const auto opened = d->open(path);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_TRUE(d->isReadOnly());
+    const auto plain = readDocument(richFile(), test::smallLibrary());
+    ASSERT_TRUE(plain);
+    const auto e = fakeDocument();
+    e->restore(*plain, {});
+    expectSame(*d, *e);
+
+    // Neither this document nor another one takes its place.
+    for (const auto& save : {d->save(path), e->save(path), e->saveCopy(path)}) {
+        ASSERT_FALSE(save);
+        EXPECT_EQ(save.error().code, Errc::WrongVersion);
+    }
+    EXPECT_EQ(*readFileBytes(path, 1U << 26U), later);
+    ASSERT_TRUE(d->save(folder.filePath("own.edgewright")));
+    EXPECT_FALSE(d->isReadOnly());
+    ASSERT_TRUE(d->save(folder.filePath("own.edgewright")));
+}
+
+TEST(Store, ALaterSchemaThatCannotBeReadIsRefused) {
+    for (const char* readableAs : {"3", "0", "-1", "\"2\"", "1e99", "null", "["}) {
+        const auto read =
+            readDocument(test::ofLaterVersion(richFile(), readableAs), test::smallLibrary());
+        ASSERT_FALSE(read) << readableAs;
+        EXPECT_EQ(read.error().code, Errc::WrongVersion) << readableAs;
+    }
+}
+
+TEST(Store, OpeningCanBeGivenUp) {
+    double told = -1.0;
+    const auto read = readDocument(richFile(), test::smallLibrary(), [&](double share) {
+        EXPECT_GE(share, 0.0);
+        EXPECT_LE(share, 1.0);
+        told = share;
+        return false;
+    });
+    EXPECT_GE(told, 0.0);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, Errc::Cancelled);
 }
 
 TEST(Store, ATemplateThatIsNowhereElseComesWithTheDocument) {

@@ -73,10 +73,10 @@ void change(ew::Field& field, FuzzedDataProvider& data) {
 /// A blob with other content, packed and hashed as it should be.
 void changeBlob(ew::Row& row, FuzzedDataProvider& data) {
     constexpr std::size_t kSha = 1, kSize = 2, kPacked = 3, kData = 4;
-    const auto content = ew::unpackBlob(
-        std::get<ew::Bytes>(row[kData]).data, row[kPacked] == ew::Field(std::int64_t{1}),
-        static_cast<std::size_t>(std::get<std::int64_t>(row[kSize])),
-        std::get<ew::Bytes>(row[kSha]).data);
+    const auto content =
+        ew::unpackBlob({std::get<ew::Bytes>(row[kSha]).data, std::get<ew::Bytes>(row[kData]).data,
+                        static_cast<std::size_t>(std::get<std::int64_t>(row[kSize])),
+                        row[kPacked] == ew::Field(std::int64_t{1})});
     if (!content) return;
     const std::string other = mutated(*content, data);
     const auto [packed, isPacked] = ew::packBlob(other);

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
@@ -15,6 +16,7 @@
 
 #include "core/document/file_bytes.h"
 #include "core/document/sketch_script.h"
+#include "tests/document/later_version.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/file_actions.h"
 #include "ui/panels/message_bar.h"
@@ -55,6 +57,10 @@ QLineEdit& nameField(QDialog& dialog) {
 Deed typeName(const QString& name) {
     return [name](QDialog& dialog) {
         QLineEdit& field = nameField(dialog);
+        // Typing takes the mark off the file that is there; without the focus it would stay.
+        if (auto* list = dialog.findChild<QListView*>(QStringLiteral("listView"))) {
+            list->clearSelection();
+        }
         // At once: while a path is typed, the dialog selects the folders on the way.
         field.setText(name);
         QTest::keyClick(&field, Qt::Key_Return);
@@ -312,6 +318,24 @@ TEST_F(Files, AnErrorIsGoneOnceSomethingElseIsBegun) {
         EXPECT_EQ(seen.find("foo.json"), std::string::npos) << next << ": " << seen;
         ASSERT_TRUE(fails());
     }
+}
+
+TEST_F(Files, WhatALaterVersionWroteIsReadOnly) {
+    drawLines(Hand::Mouse, boxLines());
+    ASSERT_TRUE(document().save(path("plain.edgewright")));
+    const QString file = path("later.edgewright");
+    ASSERT_TRUE(writeFileBytes(file, ofLaterVersion(bytesOf("plain.edgewright"), "2")));
+    ASSERT_TRUE(window_->files().openPath(file));
+    EXPECT_EQ(document().pendingStrokes().size(), boxLines().size());
+    EXPECT_TRUE(window_->windowTitle().contains(QStringLiteral("(read-only)")));
+    EXPECT_NE(said().find("later version"), std::string::npos) << said();
+
+    // Save asks for another name.
+    const std::string before = bytesOf("later.edgewright");
+    inDialogs({typeName(path("own"))}, [&] { key(Qt::Key_S, Qt::ControlModifier); });
+    EXPECT_EQ(bytesOf("later.edgewright"), before);
+    EXPECT_EQ(document().filePath(), path("own.edgewright"));
+    EXPECT_FALSE(window_->windowTitle().contains(QStringLiteral("(read-only)")));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 #include "ui/actions/recent_actions.h"
 #include "ui/core_text.h"
 #include "ui/dialogs/export_dialog.h"
-#include "ui/export_job.h"
+#include "ui/long_job.h"
 #include "ui/panels/message_bar.h"
 #include "ui/start/examples.h"
 #include "ui/theme/themed_icon.h"
@@ -270,12 +270,23 @@ bool FileActions::openDocument(const QString& path) {
         work_ == nullptr || QFileInfo(path) == QFileInfo(context_.document.filePath())
             ? std::nullopt
             : work_->folder().openElsewhere(path);
-    QString told;
-    if (elsewhere) {
-        told = tr("%1 is open in another window, too: %2.")
-                   .arg(QFileInfo(path).fileName(), elsewhere->owner);
+    const QString name = QFileInfo(path).fileName();
+    Document& document = context_.document;
+    auto opened = readWithProgress(document, path, window_);
+    if (!opened && opened.error().code == Errc::Cancelled) {
+        context_.messages.showNotice(tr("%1 was not opened.").arg(name));
+        return false;
     }
-    return report(context_.document.open(path), told);
+    if (!opened) return report(fail(opened.error()), {});
+    document.open(*std::move(opened));
+    if (document.isReadOnly()) {
+        return report({}, tr("%1 was written by a later version and may hold more than is shown "
+                             "here; changes are saved under another name.")
+                              .arg(name));
+    }
+    return report({}, elsewhere
+                          ? tr("%1 is open in another window, too: %2.").arg(name, elsewhere->owner)
+                          : QString());
 }
 
 bool FileActions::openScript(const QString& path, const std::string& text) {
@@ -317,7 +328,7 @@ bool FileActions::tellReplay(const ReplayReport& result, const SketchScript& scr
 
 bool FileActions::save() {
     const QString path = context_.document.filePath();
-    return path.isEmpty() ? saveAs() : saveTo(path);
+    return path.isEmpty() || context_.document.isReadOnly() ? saveAs() : saveTo(path);
 }
 
 bool FileActions::saveAs() {
@@ -342,7 +353,7 @@ void FileActions::revert() {
                 tr("Re&vert")})) {
         return;
     }
-    report(context_.document.open(path), tr("Reverted to %1.").arg(name));
+    if (openDocument(path)) context_.messages.showNotice(tr("Reverted to %1.").arg(name));
 }
 
 bool FileActions::saveTo(const QString& path) {
