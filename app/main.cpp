@@ -9,7 +9,9 @@
 #include <QSettings>
 #include <QTimer>
 #include <cstdio>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/document/recent_files.h"
 #include "core/document/replay_arguments.h"
@@ -101,11 +103,36 @@ ew::Result<Arguments> readArguments() {
     return arguments;
 }
 
-/// Grabs the window once its first picture stands and quits; exit code 2 where it cannot be
-/// written.
+/// Does something once the window's first picture stands and the files are open: those are read
+/// while the window is alive already, and a program that quits meanwhile would not hear of it.
+class WhenShown : public QObject {
+  public:
+    WhenShown(ew::MainWindow& window, std::function<void()> deed)
+        : QObject(&window), deed_(std::move(deed)), drawn_(window.startShown()) {
+        connect(&window.viewport(), &ew::ViewportWidget::firstFrame, this, [this] {
+            drawn_ = true;
+            look();
+        });
+    }
+    void filesAreOpen() {
+        open_ = true;
+        look();
+    }
+
+  private:
+    void look() {
+        if (drawn_ && open_) QTimer::singleShot(0, this, [this] { std::exchange(deed_, [] {})(); });
+    }
+    std::function<void()> deed_;
+    bool drawn_;
+    bool open_ = false;
+};
+
+/// Grabs the window and quits; exit code 2 where the picture cannot be written.
 /// \param status  the exit code else; it is read then.
-void quitAfterScreenshot(ew::MainWindow& window, const QString& path, const int& status) {
-    const auto take = [&window, &status, path] {
+std::function<void()> screenshotDeed(ew::MainWindow& window, const QString& path,
+                                     const int& status) {
+    return [&window, &status, path] {
         window.reading().refreshNow();
         window.reading().settleNow();
         // One turn of the event loop for the panels that follow the reading.
@@ -116,18 +143,13 @@ void quitAfterScreenshot(ew::MainWindow& window, const QString& path, const int&
             QCoreApplication::exit(written ? status : complain(written.error().message));
         });
     };
-    if (window.startShown())
-        QTimer::singleShot(0, &window, take);
-    else
-        QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window, take);
 }
 
-void printFirstFrame(ew::MainWindow& window, const QElapsedTimer& clock, const int& status) {
-    QObject::connect(&window.viewport(), &ew::ViewportWidget::firstFrame, &window,
-                     [&clock, &status] {
-                         std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
-                         QCoreApplication::exit(status);
-                     });
+std::function<void()> firstFrameDeed(const QElapsedTimer& clock, const int& status) {
+    return [&clock, &status] {
+        std::printf("%lld\n", static_cast<long long>(clock.elapsed()));
+        QCoreApplication::exit(status);
+    };
 }
 
 /// What is kept and shown over runs; pictures for others are made without any of it.
@@ -172,16 +194,19 @@ int main(int argc, char** argv) {
     const bool start = arguments->startPage || (options.remember && ew::MainWindow::wantsStart());
     if (arguments->files.isEmpty() && start) window.showStart();
     int status = 0;
+    WhenShown* deed = nullptr;
     if (!arguments->screenshot.isEmpty()) {
-        quitAfterScreenshot(window, arguments->screenshot, status);
+        deed = new WhenShown(window, screenshotDeed(window, arguments->screenshot, status));
+    } else if (arguments->firstFrame) {
+        deed = new WhenShown(window, firstFrameDeed(clock, status));
     }
-    if (arguments->firstFrame) printFirstFrame(window, clock, status);
     new ew::SessionEnd(windows, [&windows] { return windows.mayCloseAll(); });
     window.show();
     if (!arguments->files.isEmpty() && !windows.open(arguments->files, window)) {
         // A person sees it in the window; for a picture that nobody is there for, it is said here.
         if (!options.remember) status = complain(window.messages().text().toStdString());
     }
+    if (deed != nullptr) deed->filesAreOpen();
     // Once the window is there to be asked in; the start page lists it by itself.
     ew::WorkKeeper* work = window.workKeeper();
     if (work != nullptr && !window.startShown()) {

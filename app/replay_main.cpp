@@ -150,6 +150,7 @@ ew::Result<ew::ReplayReport> replayInto(ew::Document& document, const ew::Sketch
     if (!arguments.workCopy.isEmpty()) {
         copy.emplace(document,
                      ew::WorkFolder(QDir::current().absoluteFilePath(arguments.workCopy)));
+        copy->keepIdle();  // a camera that was set is a step that was told as done
     }
     ew::Result<void> kept;
     ew::ReplayReport report =

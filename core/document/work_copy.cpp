@@ -146,7 +146,8 @@ void WorkCopy::claim() {
         note.documentPath = QFileInfo(note.documentPath).absoluteFilePath();
     }
     // An empty document that nothing is done to needs no copy.
-    if (lock_ == nullptr && note.documentPath.isEmpty() && document_.untouched()) return;
+    const bool idle = document_.untouched() && !keepsIdle_;
+    if (lock_ == nullptr && note.documentPath.isEmpty() && idle) return;
     if (lock_ == nullptr) {
         if (!QDir().mkpath(folder_.path())) return;
         path_ = folder_.newPath();
@@ -162,7 +163,7 @@ void WorkCopy::claim() {
 
 Result<void> WorkCopy::capture() {
     captureSoon_ = false;
-    if (!writer_ && document_.untouched()) return {};
+    if (!writer_ && document_.untouched() && !keepsIdle_) return {};
     if (lock_ == nullptr) claim();
     if (lock_ == nullptr) {
         const Error error{

@@ -24,6 +24,9 @@ class WorkCopy : public QObject {
     /// Waits until all that was done so far is on the disk. Errors of what could not be written,
     /// which is tried again, whole, with the next change.
     Result<void> flush();
+    /// Keeps a document, too, that only its view was changed of; without this an empty one that
+    /// nothing was done to has no copy.
+    void keepIdle() { keepsIdle_ = true; }
     /// The database, empty where nothing was changed yet.
     QString path() const;
     /// The document is from this copy, which is removed once the new one holds it all.
@@ -51,6 +54,7 @@ class WorkCopy : public QObject {
     long life_ = 0;  ///< Document::life() that the copy is of
     QString replaced_;
     bool toldFailure_ = false;
+    bool keepsIdle_ = false;
 };
 
 }  // namespace ew

@@ -56,6 +56,20 @@ class ReplayProgram : public ::testing::Test {
     QTemporaryDir folder_;
 };
 
+TEST_F(ReplayProgram, AWorkingCopyHoldsEvenAViewThatNothingIsDrawnIn) {
+    script("view.json", R"({"do": "camera", "center": [7, 8, 9]})");
+    EXPECT_EQ(run({"view.json", "--work-copy", "copies"}).status, 0);
+    const Outcome found = run({"--recover", "copies", "--out", "back"});
+    EXPECT_EQ(found.status, 0) << found.err;
+    const auto list = nlohmann::json::parse(found.out, nullptr, false);
+    ASSERT_EQ(list.size(), 1U) << found.out;
+    const std::string path = list[0]["restored"];
+    const auto file = loadDocument(
+        QDir(folder_.path()).absoluteFilePath(QString::fromStdString(path)), TemplateLibrary());
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_EQ(file->view.camera.center, Vec3(7, 8, 9));
+}
+
 TEST_F(ReplayProgram, SucceedsAndReports) {
     script("ok.json", R"({"do": "stroke", "points": [[1, 2], [3, 4]]}, {"do": "clear"})");
     const Outcome r = run({"ok.json", "--out", "a/b", "--report", "a/r.json"});

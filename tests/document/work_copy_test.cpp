@@ -31,7 +31,13 @@ class Image {
   public:
     explicit Image(const QString& folder) : copies_(copy_.path()) {
         for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files)) {
-            QFile::copy(file.filePath(), copy_.filePath(file.fileName()));
+            const QString to = copy_.filePath(file.fileName());
+            QFile::copy(file.filePath(), to);
+            // Which one is the newest is told by this.
+            QFile made(to);
+            if (made.open(QIODevice::ReadWrite)) {
+                made.setFileTime(file.lastModified(), QFileDevice::FileModificationTime);
+            }
         }
     }
     QString file(const QString& ending) const {

@@ -115,6 +115,10 @@ TEST_F(Programs, APictureIsWhatItsNameSays) {
             EXPECT_EQ(QImageReader::imageFormat(folder_.filePath(name)), format);
         }
     }
+    // A document is read while the window is there already; the program ends all the same.
+    const Outcome opened = run("edgewright", {"d.edgewright", "--screenshot", "o.png"}, display());
+    EXPECT_EQ(opened.status, 0) << opened.err;
+    EXPECT_EQ(run("edgewright", {"d.edgewright", "--first-frame"}, display()).status, 0);
     for (const char* name : {"p.gif", "p.xyz"}) {
         SCOPED_TRACE(name);
         const Outcome window = run("edgewright", {"--screenshot", name}, display());
