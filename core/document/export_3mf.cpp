@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/export_3mf.h"
 
-#include <zip.h>
-
 #include <algorithm>
 #include <charconv>
-#include <memory>
+#include <vector>
 
 #include "core/document/export_place.h"
+#include "core/document/zip_file.h"
 
 namespace ew {
 namespace {
@@ -104,60 +103,15 @@ std::string modelText(std::span<const TriangleMeshView> bodies, const Vec3& orig
     return out.append("</resources>\n<build>\n").append(items).append("</build>\n</model>\n");
 }
 
-struct DiscardZip {
-    void operator()(zip_t* zip) const { zip_discard(zip); }
-};
-struct FreeSource {
-    void operator()(zip_source_t* source) const { zip_source_free(source); }
-};
-
-/// \param text  must stay until the package is closed.
-bool addFile(zip_t* zip, const char* name, std::string_view text) {
-    zip_source_t* source = zip_source_buffer(zip, text.data(), text.size(), 0);
-    if (source == nullptr) return false;
-    const zip_int64_t index = zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8);
-    if (index < 0) {
-        zip_source_free(source);
-        return false;
-    }
-    // One date for all: the format's first, so that the same model gives the same file.
-    const auto i = static_cast<zip_uint64_t>(index);
-    return zip_file_set_dostime(zip, i, 0, 0x21, 0) == 0;
-}
-
-Unexpected<Error> noPackage() { return fail(Errc::Internal, "The 3MF package could not be made."); }
-
 }  // namespace
 
 Result<std::string> threeMfBytes(std::span<const TriangleMeshView> bodies, const Vec3& origin) {
     if (auto ok = checkMeshes(bodies); !ok) return fail(ok.error());
-    const std::string model = modelText(bodies, origin);
-    zip_error_t error;
-    zip_error_init(&error);
-    const std::unique_ptr<zip_source_t, FreeSource> target(
-        zip_source_buffer_create(nullptr, 0, 0, &error));
-    if (!target) return noPackage();
-    zip_source_keep(target.get());  // one reference for the package, one to read it afterwards
-    std::unique_ptr<zip_t, DiscardZip> zip(
-        zip_open_from_source(target.get(), ZIP_TRUNCATE, &error));
-    if (!zip) {
-        zip_source_free(target.get());
-        return noPackage();
-    }
-    const bool added = addFile(zip.get(), "[Content_Types].xml", kContentTypes) &&
-                       addFile(zip.get(), "_rels/.rels", kRelations) &&
-                       addFile(zip.get(), "3D/3dmodel.model", model);
-    if (!added || zip_close(zip.get()) != 0) return noPackage();
-    static_cast<void>(zip.release());  // closed
-    zip_stat_t stat;
-    if (zip_source_stat(target.get(), &stat) != 0 || zip_source_open(target.get()) != 0) {
-        return noPackage();
-    }
-    std::string out(static_cast<std::size_t>(stat.size), '\0');
-    const zip_int64_t read = zip_source_read(target.get(), out.data(), out.size());
-    zip_source_close(target.get());
-    if (read != static_cast<zip_int64_t>(out.size())) return noPackage();
-    return out;
+    std::vector<ZipEntry> entries;
+    entries.push_back({"[Content_Types].xml", kContentTypes});
+    entries.push_back({"_rels/.rels", kRelations});
+    entries.push_back({"3D/3dmodel.model", modelText(bodies, origin)});
+    return zipBytes(entries);
 }
 
 }  // namespace ew

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// edgewright-template: checks, lists and packs templates without a window, e.g. in an author's own
+// CI.
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/document/file_bytes.h"
+#include "core/document/template_pack.h"
+#include "core/tlib/library.h"
+#include "core/tlib/library_index.h"
+#include "core/tlib/template_io.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDone = 0;
+constexpr int kFaults = 1;
+constexpr int kUnusable = 2;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+
+constexpr const char* kHelp =
+    "edgewright-template check FILE...        is each a template or a pack that can be used?\n"
+    "edgewright-template aspects FILE...      the 2D Edge Graphs that each template can show\n"
+    "edgewright-template pack FILE... --out PACK --name NAME [--author A] [--licence L]\n"
+    "                    [--pack-version V]   one file to pass on\n"
+    "  --json      print JSON\n"
+    "  --help, --version\n"
+    "FILE is a template (.json) or a pack (.edgewright-templates).\n"
+    "Exit status: 0 all is well, 1 there are faults (one line each: FILE: /json/path: sentence),\n"
+    "2 the arguments or a file cannot be used.\n";
+
+struct Arguments {
+    QString command;
+    QStringList files;
+    QString out, name, author, licence, packVersion;
+    bool json = false;
+};
+
+int unusable(const std::string& message) {
+    std::fprintf(stderr, "edgewright-template: %s\n", message.c_str());
+    return kUnusable;
+}
+
+/// What is wrong with a file.
+struct Fault {
+    std::string file, path, message;
+    ew::Errc code = ew::Errc::BadTemplate;
+};
+
+/// "FILE: /json/path: sentence" in its parts; without a path the whole file is meant.
+Fault faultOf(const QString& file, const ew::Error& error) {
+    Fault fault{file.toStdString(), "/", error.message, error.code};
+    if (fault.message.starts_with(fault.file + ": ")) fault.message.erase(0, fault.file.size() + 2);
+    const std::size_t end = fault.message.find(": ");
+    if (!fault.message.empty() && fault.message.front() == '/' && end != std::string::npos) {
+        fault.path = fault.message.substr(0, end);
+        fault.message.erase(0, end + 2);
+    }
+    return fault;
+}
+
+/// The templates of files, and what is wrong with those that have none.
+struct Loaded {
+    std::vector<std::pair<QString, ew::Template>> templates;
+    std::vector<Fault> faults;
+};
+
+bool isPack(const std::string& bytes) { return bytes.starts_with("PK"); }
+
+ew::Result<Loaded> load(const QStringList& files) {
+    Loaded out;
+    for (const QString& file : files) {
+        const auto bytes = ew::readFileBytes(file, kMostBytes);
+        if (!bytes) return ew::fail(bytes.error());
+        const std::string name = file.toStdString();
+        if (isPack(*bytes)) {
+            auto pack = ew::readTemplatePack(*bytes, name);
+            if (!pack) {
+                out.faults.push_back(faultOf(file, pack.error()));
+                continue;
+            }
+            for (ew::Template& t : pack->templates) out.templates.emplace_back(file, std::move(t));
+            continue;
+        }
+        auto tmpl = ew::readTemplate(*bytes, name);
+        if (tmpl)
+            out.templates.emplace_back(file, *std::move(tmpl));
+        else
+            out.faults.push_back(faultOf(file, tmpl.error()));
+    }
+    return out;
+}
+
+/// Two templates of one id cannot both be used.
+void findTwins(Loaded& loaded) {
+    for (std::size_t i = 0; i < loaded.templates.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto& [file, t] = loaded.templates[i];
+            if (t.id != loaded.templates[k].second.id) continue;
+            loaded.faults.push_back({file.toStdString(), "/id",
+                                     "the id \"" + t.id + "\" is also that of " +
+                                         loaded.templates[k].first.toStdString(),
+                                     ew::Errc::DuplicateId});
+            break;
+        }
+    }
+}
+
+int tellFaults(const Loaded& loaded, bool asJson) {
+    if (asJson) {
+        Json faults = Json::array();
+        for (const Fault& f : loaded.faults) {
+            faults.push_back({{"file", f.file},
+                              {"path", f.path},
+                              {"code", ew::errcName(f.code)},
+                              {"message", f.message}});
+        }
+        Json templates = Json::array();
+        for (const auto& [file, t] : loaded.templates) {
+            templates.push_back({{"file", file.toStdString()}, {"id", t.id}, {"name", t.name}});
+        }
+        const Json out{{"format", "edgewright-template-check"},
+                       {"version", 1},
+                       {"templates", templates},
+                       {"faults", faults}};
+        std::printf("%s\n", out.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        for (const Fault& f : loaded.faults) {
+            std::printf("%s: %s: %s\n", f.file.c_str(), f.path.c_str(), f.message.c_str());
+        }
+    }
+    return loaded.faults.empty() ? kDone : kFaults;
+}
+
+const char* kindName(ew::AspectKind kind) {
+    switch (kind) {
+        case ew::AspectKind::Mouth:
+            return "mouth";
+        case ew::AspectKind::Cavity:
+            return "cavity";
+        case ew::AspectKind::Explicit:
+            break;
+    }
+    return "explicit";
+}
+
+int tellAspects(const Loaded& loaded, bool asJson) {
+    Json list = Json::array();
+    for (const auto& [file, t] : loaded.templates) {
+        const auto library = ew::TemplateLibrary().with(t);
+        if (!library) return unusable(library.error().message);
+        Json aspects = Json::array();
+        if (!asJson) std::printf("%s (%s)\n", t.id.c_str(), t.name.c_str());
+        for (const ew::Aspect& a : library->index().entries.front()->aspects) {
+            aspects.push_back({{"name", a.name},
+                               {"kind", kindName(a.kind)},
+                               {"vertices", a.graph.points.size()},
+                               {"edges", a.graph.edges.size()},
+                               {"visible_faces", a.visibleFaces.size()},
+                               {"mouth_faces", a.mouth.size()}});
+            if (asJson) continue;
+            std::printf("  %-16s %-9s %2zu vertices %2zu edges %zu faces\n", a.name.c_str(),
+                        kindName(a.kind), a.graph.points.size(), a.graph.edges.size(),
+                        a.visibleFaces.size());
+        }
+        list.push_back({{"file", file.toStdString()}, {"id", t.id}, {"aspects", aspects}});
+    }
+    if (asJson) {
+        const Json out{
+            {"format", "edgewright-template-aspects"}, {"version", 1}, {"templates", list}};
+        std::printf("%s\n", out.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+    }
+    return kDone;
+}
+
+int pack(const Arguments& arguments, Loaded loaded) {
+    if (arguments.out.isEmpty() || arguments.name.isEmpty()) {
+        return unusable("pack needs --out and --name");
+    }
+    ew::TemplatePack made{arguments.name.toStdString(),
+                          arguments.author.toStdString(),
+                          arguments.licence.toStdString(),
+                          arguments.packVersion.toStdString(),
+                          {}};
+    for (auto& [file, t] : loaded.templates) made.templates.push_back(std::move(t));
+    const auto bytes = ew::writeTemplatePack(made);
+    if (!bytes) return unusable(bytes.error().message);
+    QString path = arguments.out;
+    const QString ending = QStringLiteral(".edgewright-templates");
+    if (!path.endsWith(ending)) path += ending;
+    if (auto ok = ew::writeFileBytes(path, *bytes); !ok) return unusable(ok.error().message);
+    return kDone;
+}
+
+/// Empty where all is well.
+std::string parse(const QStringList& words, Arguments& out) {
+    const std::vector<std::pair<const char*, QString*>> valued{
+        {"--out", &out.out},
+        {"--name", &out.name},
+        {"--author", &out.author},
+        {"--licence", &out.licence},
+        {"--pack-version", &out.packVersion}};
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const QString& word = words[i];
+        if (word == QStringLiteral("--json")) {
+            out.json = true;
+            continue;
+        }
+        QString* value = nullptr;
+        for (const auto& [name, to] : valued) {
+            if (word == QLatin1String(name)) value = to;
+        }
+        if (value != nullptr) {
+            if (i + 1 == words.size()) return word.toStdString() + " needs a value";
+            *value = words[++i];
+        } else if (word.startsWith(QStringLiteral("--"))) {
+            return "unknown option " + word.toStdString();
+        } else if (out.command.isEmpty()) {
+            out.command = word;
+        } else {
+            out.files << word;
+        }
+    }
+    const QStringList commands{QStringLiteral("check"), QStringLiteral("aspects"),
+                               QStringLiteral("pack")};
+    if (!commands.contains(out.command)) return "say check, aspects or pack";
+    return out.files.isEmpty() ? "no file is named" : "";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const QCoreApplication app(argc, argv);
+    const QStringList words = QCoreApplication::arguments().mid(1);
+    if (words.contains(QStringLiteral("--help"))) {
+        std::printf("%s", kHelp);
+        return kDone;
+    }
+    if (words.contains(QStringLiteral("--version"))) {
+        std::printf("edgewright-template %s\n", EDGEWRIGHT_VERSION);
+        return kDone;
+    }
+    Arguments arguments;
+    if (const std::string wrong = parse(words, arguments); !wrong.empty()) {
+        std::fprintf(stderr, "edgewright-template: %s\n%s", wrong.c_str(), kHelp);
+        return kUnusable;
+    }
+    auto loaded = load(arguments.files);
+    if (!loaded) return unusable(loaded.error().message);
+    findTwins(*loaded);
+    if (arguments.command == QStringLiteral("check")) return tellFaults(*loaded, arguments.json);
+    if (!loaded->faults.empty()) return tellFaults(*loaded, arguments.json);
+    return arguments.command == QStringLiteral("aspects") ? tellAspects(*loaded, arguments.json)
+                                                          : pack(arguments, *std::move(loaded));
+}
