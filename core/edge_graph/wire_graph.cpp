@@ -233,7 +233,34 @@ std::vector<EdgeGraph> wireGraphsOf(const InkReading& ink, const std::vector<Ink
     return out;
 }
 
+/// Do two lines cross at least so far from all their ends?
+bool cross(const InkLine& a, const InkLine& b, double clearPx) {
+    constexpr double kLeastSine = 0.17;
+    const Vec2 d = a.b - a.a;
+    const Vec2 e = b.b - b.a;
+    const double det = cross2(d, e);
+    if (std::abs(det) < kLeastSine * d.norm() * e.norm()) return false;
+    const Vec2 between = b.a - a.a;
+    const double s = cross2(between, e) / det;
+    const double t = cross2(between, d) / det;
+    return std::min(s, 1.0 - s) * d.norm() >= clearPx && std::min(t, 1.0 - t) * e.norm() >= clearPx;
+}
+
 }  // namespace
+
+bool crossesLikeWires(const InkReading& ink, double distancePx) {
+    constexpr std::size_t kFewest = 3;
+    constexpr std::size_t kLinesACrossing = 6;
+    constexpr double kClear = 1.5;  // distance thresholds
+    const std::vector<InkLine> lines = consolidate(ink.segments, {distancePx});
+    std::size_t crossings = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            crossings += cross(lines[i], lines[k], kClear * distancePx) ? 1U : 0U;
+        }
+    }
+    return crossings >= std::max(kFewest, lines.size() / kLinesACrossing);
+}
 
 std::vector<EdgeGraph> buildWireGraphs(const InkReading& ink, double distancePx) {
     // Each line as it was drawn, then those that lie on one another as one.

@@ -17,4 +17,9 @@ namespace ew {
 /// \paper{4.1.1}
 std::vector<EdgeGraph> buildWireGraphs(const InkReading& ink, double distancePx);
 
+/// Do lines cross well away from their ends, as in a drawing that shows hidden edges? In one of
+/// what is seen alone lines end where they meet. A few crossings may be a detail, as in a window
+/// with panes. O(n^2) in the number of segments.
+bool crossesLikeWires(const InkReading& ink, double distancePx);
+
 }  // namespace ew

@@ -133,5 +133,50 @@ TEST(WireGraph, ScribblesAndNothingMakeNone) {
     }
 }
 
+TEST(WireGraph, HiddenEdgesCrossAndDetailsHardlyDo) {
+    const auto crosses = [](const Lines& lines) {
+        std::vector<Stroke> strokes;
+        for (const auto& l : lines) {
+            Stroke s;
+            s.samples.push_back({l[0], 1, 0});
+            s.samples.push_back({l[1], 1, 0});
+            strokes.push_back(std::move(s));
+        }
+        return crossesLikeWires(readInk(strokes, kDistance), kDistance);
+    };
+    // Two boxes into each other, as a boss through a plate.
+    Lines two = Box{}.lines();
+    Box other;
+    other.at = {420, 320};
+    for (const auto& l : other.lines()) two.push_back(l);
+    EXPECT_TRUE(crosses(two));
+    // What is seen of a box, with a window of four panes on one face.
+    Lines seen;
+    const Lines box = Box{}.lines();
+    for (const auto& l : box) {
+        const Vec2 back = Box{}.corner(5);
+        if ((l[0] - back).norm() > 1e-9 && (l[1] - back).norm() > 1e-9) seen.push_back(l);
+    }
+    const Vec2 b = Box{}.b / 4;
+    const Vec2 c = Box{}.c / 4;
+    const Vec2 w = Box{}.at + b + c;
+    for (const Lines& more : {Lines{{w, w + 2 * b},
+                                    {w + 2 * b, w + 2 * b + 2 * c},
+                                    {w + 2 * b + 2 * c, w + 2 * c},
+                                    {w + 2 * c, w}},
+                              Lines{{w + b, w + b + 2 * c}, {w + c, w + c + 2 * b}}}) {
+        seen.insert(seen.end(), more.begin(), more.end());
+        EXPECT_FALSE(crosses(seen));
+    }
+    // Ends that go too far are no crossings.
+    Lines over = box;
+    for (auto& l : over) {
+        const Vec2 d = (l[1] - l[0]).normalized() * kDistance;
+        l = {l[0] - d, l[1] + d};
+    }
+    over.resize(9);
+    EXPECT_FALSE(crosses(over));
+}
+
 }  // namespace
 }  // namespace ew

@@ -29,7 +29,8 @@ class WholeReader {
         : ink_(ink),
           options_(options),
           solver_(ink, library, options),
-          wireSolver_(ink, library, options) {}
+          wireSolver_(ink, library, options),
+          crosses_(crossesLikeWires(ink, options.thresholds.distancePx)) {}
 
     WholeReading run() {
         std::vector<SolvedShape> found;
@@ -79,6 +80,8 @@ class WholeReader {
         for (EdgeGraph& wires : buildWireGraphs(ink_, distance)) {
             if (addWires(std::move(wires), found)) return;
         }
+        // No solid looks like this with its hidden edges left out.
+        if (crosses_) return;
         for (const EdgeGraph& whole : buildEdgeGraphs(ink_, distance)) {
             if (whole.empty()) continue;
             std::vector<EdgeGraph> parts = connectedParts(whole);
@@ -237,6 +240,7 @@ class WholeReader {
     const InterpretOptions& options_;
     ShapeSolver solver_;      ///< of drawings whose hidden lines are left out
     ShapeSolver wireSolver_;  ///< of those that show them
+    bool crosses_ = false;    ///< lines cross as hidden edges do
     int framesTried_ = 0;
     int lifts_ = 0;  ///< numbers of ShapeHypothesis::lift of frames before
 };
