@@ -4,6 +4,158 @@
 <context>
     <name>Core</name>
     <message>
+        <source>No face is seen there.</source>
+        <translation>Dort ist keine Fläche zu sehen.</translation>
+    </message>
+    <message>
+        <source>No closed outline runs round this place.</source>
+        <translation>Um diese Stelle läuft kein geschlossener Umriss.</translation>
+    </message>
+    <message>
+        <source>This closed line is no circle on the face; draw it straighter, or rounder.</source>
+        <translation>Diese geschlossene Linie ist kein Kreis auf der Fläche; bitte gerader oder runder zeichnen.</translation>
+    </message>
+    <message>
+        <source>This outline encloses nothing.</source>
+        <translation>Dieser Umriss umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>This outline leaves the face; an outline to pull lies in one face.</source>
+        <translation>Dieser Umriss verlässt die Fläche; ein Umriss zum Ziehen liegt in einer Fläche.</translation>
+    </message>
+    <message>
+        <source>This outline says where, not how deep; pull it (L), or draw one line into the solid or out of it.</source>
+        <translation>Dieser Umriss sagt, wo, aber nicht, wie tief; bitte ziehen (L) oder eine Linie in den Körper hinein oder heraus zeichnen.</translation>
+    </message>
+    <message>
+        <source>A line that cuts a solid runs from one side of it to the other; this one ends inside a face.</source>
+        <translation>Eine Linie, die einen Körper schneidet, läuft von einer Seite zur anderen; diese endet in einer Fläche.</translation>
+    </message>
+    <message>
+        <source>The line lies in no plane, and a cut is plane; draw it straight on every face.</source>
+        <translation>Die Linie liegt in keiner Ebene, und ein Schnitt ist eben; bitte auf jeder Fläche gerade zeichnen.</translation>
+    </message>
+    <message>
+        <source>The line runs over no solid.</source>
+        <translation>Die Linie läuft über keinen Körper.</translation>
+    </message>
+    <message>
+        <source>The plane through this line misses the solid.</source>
+        <translation>Die Ebene durch diese Linie verfehlt den Körper.</translation>
+    </message>
+    <message>
+        <source>There is no solid to cut in two.</source>
+        <translation>Es gibt keinen Körper, der sich teilen ließe.</translation>
+    </message>
+    <message>
+        <source>This line could cut the solid in two; choose it, or draw on.</source>
+        <translation>Diese Linie könnte den Körper teilen; bitte wählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>Cut the solid in two</source>
+        <translation>Den Körper teilen</translation>
+    </message>
+    <message>
+        <source>Cut in two</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>rechtwinklig</translation>
+    </message>
+    <message>
+        <source>The solid has no such face to pull.</source>
+        <translation>Der Körper hat keine solche Fläche zum Ziehen.</translation>
+    </message>
+    <message>
+        <source>A face cannot be pulled so far.</source>
+        <translation>So weit lässt sich eine Fläche nicht ziehen.</translation>
+    </message>
+    <message>
+        <source>A pull by 0 mm changes nothing.</source>
+        <translation>Ein Zug um 0 mm ändert nichts.</translation>
+    </message>
+    <message>
+        <source>This face is not flat enough to be pulled: its corners lie in one plane to the eye only.</source>
+        <translation>Diese Fläche ist zum Ziehen nicht eben genug: ihre Ecken liegen nur für das Auge in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>The faces beside this one do not tell where its corners would go; pull it with straight walls.</source>
+        <translation>Die Nachbarflächen sagen nicht, wohin die Ecken dieser Fläche gingen; bitte mit geraden Wänden ziehen.</translation>
+    </message>
+    <message>
+        <source>The face would shrink to nothing after %1; pull it less far, or with straight walls.</source>
+        <translation>Die Fläche schrumpft nach %1 zu nichts; bitte weniger weit oder mit geraden Wänden ziehen.</translation>
+    </message>
+    <message>
+        <source>A solid can be moved by numbers only.</source>
+        <translation>Ein Körper lässt sich nur um Zahlen bewegen.</translation>
+    </message>
+    <message>
+        <source>A solid cannot be scaled to nothing.</source>
+        <translation>Ein Körper lässt sich nicht auf nichts verkleinern.</translation>
+    </message>
+    <message>
+        <source>A solid is scaled by numbers from 0.000001 to 1000000.</source>
+        <translation>Ein Körper wird mit Zahlen von 0,000001 bis 1000000 skaliert.</translation>
+    </message>
+    <message>
+        <source>A solid is turned by a number of degrees.</source>
+        <translation>Ein Körper wird um eine Zahl von Grad gedreht.</translation>
+    </message>
+    <message>
+        <source>The axis to turn about has no direction.</source>
+        <translation>Die Drehachse hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The mirror plane has no direction.</source>
+        <translation>Die Spiegelebene hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>A solid cannot be moved so far.</source>
+        <translation>So weit lässt sich ein Körper nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>A name is one line of at most %1 bytes.</source>
+        <translation>Ein Name ist eine Zeile von höchstens %1 Byte.</translation>
+    </message>
+    <message>
+        <source>There is no solid called %1.</source>
+        <translation>Es gibt keinen Körper namens %1.</translation>
+    </message>
+    <message>
+        <source>There is no solid number %1; there are %2, counted from 0.</source>
+        <translation>Es gibt keinen Körper Nummer %1; es sind %2, von 0 an gezählt.</translation>
+    </message>
+    <message>
+        <source>All solids are hidden.</source>
+        <translation>Alle Körper sind ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>All solids are hidden; show one to export it.</source>
+        <translation>Alle Körper sind ausgeblendet; zum Exportieren bitte einen einblenden.</translation>
+    </message>
+    <message>
+        <source>Another solid is called %1.</source>
+        <translation>Ein anderer Körper heißt schon %1.</translation>
+    </message>
+    <message>
+        <source>The solid is shown already.</source>
+        <translation>Der Körper ist schon eingeblendet.</translation>
+    </message>
+    <message>
+        <source>The solid is hidden already.</source>
+        <translation>Der Körper ist schon ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>A solid is combined with another one.</source>
+        <translation>Ein Körper wird mit einem anderen verbunden.</translation>
+    </message>
+    <message>
+        <source>The two solids do not touch each other.</source>
+        <translation>Die beiden Körper berühren einander nicht.</translation>
+    </message>
+    <message>
         <source>A line ends %1 from what it should meet (the distance threshold is %2).</source>
         <translation>Eine Linie endet %1 vor dem, was sie treffen sollte (die Abstandsschwelle ist %2).</translation>
     </message>
@@ -1003,6 +1155,22 @@
 <context>
     <name>Help</name>
     <message>
+        <source>Pull a face</source>
+        <translation>Eine Fläche ziehen</translation>
+    </message>
+    <message>
+        <source>L: drag it, or click it and type a distance; a number typed after a pull corrects it</source>
+        <translation>L: ziehen, oder anklicken und eine Strecke eintippen; eine Zahl nach dem Zug berichtigt ihn</translation>
+    </message>
+    <message>
+        <source>Several solids</source>
+        <translation>Mehrere Körper</translation>
+    </message>
+    <message>
+        <source>the Solids panel shows, hides, names, moves, copies, joins and deletes them</source>
+        <translation>das Feld „Körper“ zeigt, verbirgt, benennt, bewegt, kopiert, verbindet und löscht sie</translation>
+    </message>
+    <message>
         <source>In five lines</source>
         <translation>In fünf Zeilen</translation>
     </message>
@@ -1154,6 +1322,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>Step</name>
     <message>
+        <source>pull</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>move_body</source>
+        <translation>Körper bewegen</translation>
+    </message>
+    <message>
+        <source>name_body</source>
+        <translation>Körper benennen</translation>
+    </message>
+    <message>
+        <source>show_body</source>
+        <translation>Körper zeigen</translation>
+    </message>
+    <message>
+        <source>delete_body</source>
+        <translation>Körper löschen</translation>
+    </message>
+    <message>
+        <source>combine_bodies</source>
+        <translation>Körper verbinden</translation>
+    </message>
+    <message>
         <source>camera</source>
         <translation>Blick</translation>
     </message>
@@ -1245,6 +1437,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>ew::CandidateCard</name>
     <message>
+        <source>split</source>
+        <translation>teilen</translation>
+    </message>
+    <message>
         <source>add</source>
         <translation>hinzufügen</translation>
     </message>
@@ -1333,6 +1529,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>ew::Document</name>
     <message>
+        <source>Cut in two</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Pull face</source>
+        <translation>Fläche ziehen</translation>
+    </message>
+    <message>
+        <source>Move solid</source>
+        <translation>Körper bewegen</translation>
+    </message>
+    <message>
+        <source>Copy solid</source>
+        <translation>Körper kopieren</translation>
+    </message>
+    <message>
+        <source>Name solid</source>
+        <translation>Körper benennen</translation>
+    </message>
+    <message>
+        <source>Show solid</source>
+        <translation>Körper einblenden</translation>
+    </message>
+    <message>
+        <source>Hide solid</source>
+        <translation>Körper ausblenden</translation>
+    </message>
+    <message>
+        <source>Join solids</source>
+        <translation>Körper verbinden</translation>
+    </message>
+    <message>
+        <source>Subtract solid</source>
+        <translation>Körper abziehen</translation>
+    </message>
+    <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
     </message>
@@ -1399,6 +1631,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 </context>
 <context>
     <name>ew::EditActions</name>
+    <message>
+        <source>Pu&amp;ll faces</source>
+        <translation>&amp;Flächen ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a face out of the solid or into it, or type how far</source>
+        <translation>Eine Fläche aus dem Körper heraus- oder hineinziehen, oder eintippen, wie weit</translation>
+    </message>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
@@ -1533,10 +1773,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>&amp;Bodies:</source>
         <translation>&amp;Körper:</translation>
-    </message>
-    <message>
-        <source>Body %1</source>
-        <translation>Körper %1</translation>
     </message>
 </context>
 <context>
@@ -2000,6 +2236,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 <context>
     <name>ew::MainWindow</name>
     <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -2082,6 +2322,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 </context>
 <context>
     <name>ew::MessageBar</name>
+    <message>
+        <source>Cut the solid in two.</source>
+        <translation>Der Körper ist geteilt.</translation>
+    </message>
+    <message>
+        <source>Enter cuts the solid in two.</source>
+        <translation>Enter teilt den Körper.</translation>
+    </message>
     <message>
         <source>Message</source>
         <translation>Meldung</translation>
@@ -3014,6 +3262,175 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>Wiederhergestellt: %n Schritt, Stand %1.</numerusform>
             <numerusform>Wiederhergestellt: %n Schritte, Stand %1.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ew::PullBar</name>
+    <message>
+        <source>Straight walls</source>
+        <translation>Gerade Wände</translation>
+    </message>
+    <message>
+        <source>Pull by</source>
+        <translation>Ziehen um</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance to pull the face by</source>
+        <translation>Strecke, um die die Fläche gezogen wird</translation>
+    </message>
+    <message>
+        <source>The face keeps its outline, and new walls join it to the solid. Without it, the faces beside it go on as they slant.</source>
+        <translation>Die Fläche behält ihren Umriss, und neue Wände verbinden sie mit dem Körper. Sonst laufen die Nachbarflächen so weiter, wie sie geneigt sind.</translation>
+    </message>
+    <message>
+        <source>Type another distance and press Enter; negative goes inwards.</source>
+        <translation>Eine andere Strecke eintippen und Enter drücken; negativ geht nach innen.</translation>
+    </message>
+    <message>
+        <source>Drag a face, or click one and type a distance.</source>
+        <translation>Eine Fläche ziehen, oder eine anklicken und eine Strecke eintippen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::BodyPanel</name>
+    <message>
+        <source>%1 × %2 × %3 mm, volume %4 cm³</source>
+        <translation>%1 × %2 × %3 mm, Volumen %4 cm³</translation>
+    </message>
+    <message>
+        <source>Solid %1</source>
+        <translation>Körper %1</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Move…</source>
+        <translation>Bewegen …</translation>
+    </message>
+    <message>
+        <source>Move, turn, scale or mirror the chosen solid by numbers</source>
+        <translation>Den gewählten Körper mit Zahlen bewegen, drehen, skalieren oder spiegeln</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy of the chosen solid beside it</source>
+        <translation>Eine Kopie neben den gewählten Körper stellen</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Make one solid of two chosen ones that touch</source>
+        <translation>Aus zwei gewählten Körpern, die sich berühren, einen machen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen solids</source>
+        <translation>Die gewählten Körper löschen</translation>
+    </message>
+    <message>
+        <source>The check mark shows or hides it; double click to name it.</source>
+        <translation>Das Häkchen blendet ihn ein oder aus; ein Doppelklick benennt ihn.</translation>
+    </message>
+    <message>
+        <source>Name…</source>
+        <translation>Benennen …</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Subtract the second from the first</source>
+        <translation>Den zweiten vom ersten abziehen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::MoveDialog</name>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Keep the solid and move a &amp;copy</source>
+        <translation>Den Körper behalten und eine &amp;Kopie bewegen</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>„%1“ bewegen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Entlang %1</translation>
+    </message>
+    <message>
+        <source>Along &amp;%1</source>
+        <translation>Entlang &amp;%1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>across %1</source>
+        <translation>quer zu %1</translation>
+    </message>
+    <message>
+        <source>not</source>
+        <translation>nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale to</source>
+        <translation>&amp;Skalieren auf</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>It is scaled, turned and mirrored about its middle, then moved.</source>
+        <translation>Er wird um seine Mitte skaliert, gedreht und gespiegelt, dann bewegt.</translation>
+    </message>
+    <message>
+        <source>M&amp;ove</source>
+        <translation>&amp;Bewegen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
     </message>
 </context>
 </TS>

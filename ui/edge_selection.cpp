@@ -30,6 +30,7 @@ Found nearestInView(const std::vector<Body>& bodies, const std::vector<SolidView
         if (distance < best.distance) best = {{body, edge}, distance};
     };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].hidden) continue;
         const int body = static_cast<int>(b);
         for (const VisiblePiece& piece : views[b].visiblePieces()) {
             consider(body, piece.edge, distanceToSegment(px, piece.px[0], piece.px[1]));
@@ -46,10 +47,12 @@ Found nearestInView(const std::vector<Body>& bodies, const std::vector<SolidView
 }
 
 /// The body and face that is seen at a point.
-EdgeRef faceAt(const std::vector<SolidView>& views, const Vec2& px) {
-    EdgeRef best;  // `edge` is the face here
+FaceRef faceAt(const std::vector<Body>& bodies, const std::vector<SolidView>& views,
+               const Vec2& px) {
+    FaceRef best;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < views.size(); ++b) {
+        if (bodies[b].hidden) continue;
         const auto pick = views[b].pick(px);
         if (!pick || pick->depthPx >= nearest) continue;
         nearest = pick->depthPx;
@@ -83,7 +86,40 @@ std::vector<EdgeRef> faceEdges(const Body& body, int bodyIndex, int face, int wi
     return out;
 }
 
+/// Fewer than bodies where one cannot be seen through the camera at all.
+std::vector<SolidView> viewsOf(const std::vector<Body>& bodies, const OrthographicCamera& camera) {
+    std::vector<SolidView> views;
+    for (const Body& body : bodies) {
+        auto view = SolidView::make(body.solid, body.pose, camera);
+        if (!view) break;
+        views.push_back(*std::move(view));
+    }
+    return views;
+}
+
 }  // namespace
+
+std::optional<FaceRef> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+                                 const Vec2& px) {
+    const std::vector<SolidView> views = viewsOf(bodies, camera);
+    if (views.size() < bodies.size()) return std::nullopt;
+    const FaceRef face = faceAt(bodies, views, px);
+    if (face.face < 0) return std::nullopt;
+    return face;
+}
+
+std::optional<Vec3> placeUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+                               const Vec2& px) {
+    const std::vector<SolidView> views = viewsOf(bodies, camera);
+    if (views.size() < bodies.size()) return std::nullopt;
+    const FaceRef face = faceAt(bodies, views, px);
+    if (face.face < 0) return std::nullopt;
+    return views[at(face.body)].pick(px)->world;
+}
+
+std::vector<EdgeRef> edgesOfFace(const std::vector<Body>& bodies, const FaceRef& face) {
+    return faceEdges(bodies[at(face.body)], face.body, face.face);
+}
 
 EdgeSelection::EdgeSelection(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
@@ -126,16 +162,12 @@ void EdgeSelection::pick(const std::vector<EdgeRef>& edges, bool add) {
 
 std::vector<EdgeRef> edgesAt(const std::vector<Body>& bodies, const OrthographicCamera& camera,
                              const Vec2& px, PickMode mode) {
-    std::vector<SolidView> views;
-    for (const Body& body : bodies) {
-        auto view = SolidView::make(body.solid, body.pose, camera);
-        if (!view) return {};
-        views.push_back(*std::move(view));
-    }
-    const EdgeRef face = faceAt(views, px);
+    const std::vector<SolidView> views = viewsOf(bodies, camera);
+    if (views.size() < bodies.size()) return {};
+    const FaceRef face = faceAt(bodies, views, px);
     if (mode == PickMode::Face) {
         if (face.body < 0) return {};
-        return faceEdges(bodies[at(face.body)], face.body, face.edge);
+        return faceEdges(bodies[at(face.body)], face.body, face.face);
     }
     const Found found = nearestInView(bodies, views, px);
     if (found.edge.edge < 0) return {};
@@ -145,9 +177,9 @@ std::vector<EdgeRef> edgesAt(const std::vector<Body>& bodies, const Orthographic
     const auto& faces = body.solid.edges()[at(found.edge.edge)].faces;
     int of = faces[0];
     const bool underPoint =
-        face.body == found.edge.body && (face.edge == faces[0] || face.edge == faces[1]);
+        face.body == found.edge.body && (face.face == faces[0] || face.face == faces[1]);
     if (underPoint) {
-        of = face.edge;
+        of = face.face;
     } else if (views[at(found.edge.body)].facing(of) != Facing::Front) {
         of = faces[1];
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "core/document/document.h"
@@ -33,6 +34,17 @@ class EdgeSelection : public QObject {
     Document& document_;
     EdgeChoice choice_;
 };
+
+/// The face that is seen at a point of the view [px].
+std::optional<FaceRef> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+                                 const Vec2& px);
+
+/// The world point of a face that is seen at a point of the view [px].
+std::optional<Vec3> placeUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+                               const Vec2& px);
+
+/// All edges of a face.
+std::vector<EdgeRef> edgesOfFace(const std::vector<Body>& bodies, const FaceRef& face);
 
 /// What a click picks.
 enum class PickMode { Edge, Loop, Face };

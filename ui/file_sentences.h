@@ -74,6 +74,12 @@ inline constexpr const char* kStepWords[] = {
     QT_TRANSLATE_NOOP("Step", "export"),
     QT_TRANSLATE_NOOP("Step", "name"),
     QT_TRANSLATE_NOOP("Step", "compact"),
+    QT_TRANSLATE_NOOP("Step", "pull"),
+    QT_TRANSLATE_NOOP("Step", "move_body"),
+    QT_TRANSLATE_NOOP("Step", "name_body"),
+    QT_TRANSLATE_NOOP("Step", "show_body"),
+    QT_TRANSLATE_NOOP("Step", "delete_body"),
+    QT_TRANSLATE_NOOP("Step", "combine_bodies"),
     QT_TRANSLATE_NOOP("Step", "begin"),
 };
 

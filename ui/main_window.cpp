@@ -27,9 +27,12 @@
 #include "ui/actions/surface_actions.h"
 #include "ui/actions/view_actions.h"
 #include "ui/apply_controller.h"
+#include "ui/body_selection.h"
 #include "ui/dialogs/help_dialog.h"
+#include "ui/edge_selection.h"
 #include "ui/live_reading.h"
 #include "ui/number_box.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/candidate_panel.h"
 #include "ui/panels/graph_panel.h"
 #include "ui/panels/history_panel.h"
@@ -38,6 +41,8 @@
 #include "ui/panels/template_panel.h"
 #include "ui/panels/threshold_panel.h"
 #include "ui/pointer_place.h"
+#include "ui/pull_bar.h"
+#include "ui/pull_controller.h"
 #include "ui/start/start_page.h"
 #include "ui/surface_controller.h"
 #include "ui/theme/appearance.h"
@@ -49,7 +54,7 @@ namespace ew {
 
 namespace {
 // Counts up when the panels are arranged in a new way, so that an old arrangement is not restored.
-constexpr int kLayoutVersion = 3;
+constexpr int kLayoutVersion = 4;
 // The window's first size, and what its frame takes of the screen [logical px].
 constexpr int kWidth = 1360;
 constexpr int kHeight = 860;
@@ -118,7 +123,16 @@ void MainWindow::buildCentre() {
                         [this](const Error& error) { messages_->showError(error); },
                         [this] { apply_->inkDone(); }};
     surface_ = new SurfaceController(*document_, *viewport_, this);
-    tools_ = new ToolBox(context, surface_->selection(), this);
+    bodies_ = new BodySelection(*document_, this);
+    pull_ = new PullController(*document_, *viewport_, this);
+    tools_ = new ToolBox(context, surface_->selection(), *pull_, this);
+    auto* pullBar = new PullBar(*pull_, centre);
+    pullBar->hide();
+    layout->insertWidget(1, pullBar);
+    connect(tools_, &ToolBox::activeChanged, pullBar,
+            [pullBar](ToolBox::Kind kind) { pullBar->setVisible(kind == ToolBox::Kind::Pull); });
+    connect(pull_, &PullController::failed, this,
+            [this](const Error& error) { messages_->showError(error); });
     connectSurface();
 }
 
@@ -126,17 +140,34 @@ void MainWindow::connectSurface() {
     connect(surface_, &SurfaceController::failed, this,
             [this](const Error& error) { messages_->showError(error); });
     connect(surface_, &SurfaceController::noticed, messages_, &MessageBar::showNotice);
-    // Chosen edges are marked while they are being picked, and when a clamped one is looked at.
-    const auto mark = [this] {
-        const bool picked = surface_->selection().choice().which == EdgeChoice::Which::Picked;
-        viewport_->setChosenEdges(picked ? surface_->selection().edges() : std::vector<EdgeRef>());
-    };
-    connect(&surface_->selection(), &EdgeSelection::changed, this, mark);
+    connect(&surface_->selection(), &EdgeSelection::changed, this, &MainWindow::markEdges);
+    connect(pull_, &PullController::markedChanged, this, &MainWindow::markEdges);
+    connect(bodies_, &BodySelection::changed, this, &MainWindow::markEdges);
+}
+
+/// Marked are edges while they are being picked or a clamped one is looked at, the face that would
+/// be pulled, and chosen solids.
+void MainWindow::markEdges() {
+    const std::vector<Body>& bodies = document_->state().bodies;
+    std::vector<EdgeRef> edges;
+    if (pull_->marked()) {
+        edges = edgesOfFace(bodies, *pull_->marked());
+    } else if (surface_->selection().choice().which == EdgeChoice::Which::Picked &&
+               !surface_->selection().choice().picked.empty()) {
+        edges = surface_->selection().edges();
+    } else {
+        for (const int b : bodies_->chosen()) {
+            const int count =
+                static_cast<int>(bodies[static_cast<std::size_t>(b)].solid.edges().size());
+            for (int e = 0; e < count; ++e) edges.push_back({b, e});
+        }
+    }
+    viewport_->setChosenEdges(edges);
 }
 
 void MainWindow::buildActions() {
-    const WindowContext context{*document_, *reading_,  *apply_,    *tools_,
-                                *viewport_, *messages_, appearance_};
+    const WindowContext context{*document_, *reading_,  *apply_,     *tools_,
+                                *viewport_, *messages_, appearance_, *bodies_};
     if (!options_.workFolder.isEmpty()) {
         work_ = new WorkKeeper(context, WorkFolder(options_.workFolder), this);
     }
@@ -276,6 +307,9 @@ void MainWindow::buildPanels() {
     addPanel(tr("Surface"), QStringLiteral("surfacePanel"),
              scrolled(new SurfacePanel(*document_, *surface_, *surfaces_, *tools_, this)),
              Qt::LeftDockWidgetArea);
+    auto* bodies = new BodyPanel(*document_, *bodies_, this);
+    connect(bodies, &BodyPanel::failed, messages_, &MessageBar::showError);
+    addPanel(tr("Solids"), QStringLiteral("bodyPanel"), bodies, Qt::LeftDockWidgetArea);
     // Enter ends what is typed, and the keys are the drawing's again.
     for (QAbstractSpinBox* number : findChildren<QAbstractSpinBox*>()) {
         connect(number, &QAbstractSpinBox::editingFinished, this, [this, number] {
@@ -291,14 +325,16 @@ void MainWindow::buildPanels() {
         }
     }
     tabifyDockWidget(panels_[3], panels_[5]);
+    tabifyDockWidget(panels_[4], panels_[6]);
     panels_[3]->raise();
+    panels_[4]->raise();
 }
 
 void MainWindow::arrangeFor(const QSize& available) {
     // Where there is little room, panels share a place, each behind its tab.
     if (available.height() < kRoomForThree) tabifyDockWidget(panels_[0], panels_[1]);
     if (available.width() < kRoomForTwoSides) {
-        for (const int panel : {3, 4, 5}) tabifyDockWidget(panels_[0], panels_[panel]);
+        for (const int panel : {3, 4, 5, 6}) tabifyDockWidget(panels_[0], panels_[panel]);
     }
     layout()->activate();  // else it is no smaller than with its panels side by side
     resize(QSize(kWidth, kHeight).boundedTo(available - QSize(kFrameWidth, kFrameHeight)));

@@ -15,12 +15,14 @@ namespace ew {
 
 class Appearance;
 class ApplyController;
+class BodySelection;
 class Document;
 class EditActions;
 class FileActions;
 class LiveReading;
 class MessageBar;
 class PointerPlace;
+class PullController;
 class RecentActions;
 class SketchActions;
 class StartPage;
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
     void endTyping();
     void buildCentre();
     void connectSurface();
+    void markEdges();
     void buildStart();
     void buildActions();
     void buildPanels();
@@ -113,6 +116,8 @@ class MainWindow : public QMainWindow {
     ApplyController* apply_ = nullptr;
     ViewportWidget* viewport_ = nullptr;
     MessageBar* messages_ = nullptr;
+    BodySelection* bodies_ = nullptr;
+    PullController* pull_ = nullptr;
     ToolBox* tools_ = nullptr;
     FileActions* files_ = nullptr;
     EditActions* edits_ = nullptr;

@@ -7,6 +7,7 @@ namespace ew {
 
 class Appearance;
 class ApplyController;
+class BodySelection;
 class LiveReading;
 class MessageBar;
 class ToolBox;
@@ -21,6 +22,7 @@ struct WindowContext {
     ViewportWidget& viewport;
     MessageBar& messages;
     Appearance& appearance;
+    BodySelection& bodies;
 };
 
 }  // namespace ew

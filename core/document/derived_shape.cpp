@@ -47,6 +47,7 @@ struct ShapeCache::Impl {
     struct Canvas {
         std::vector<Solid> solids;
         std::vector<Pose> poses;
+        std::vector<bool> hidden;
         std::vector<BodyShape> shapes;
         OrthographicCamera camera;
         StrokeCanvas canvas;
@@ -186,7 +187,8 @@ Result<StrokeCanvas> canvasFor(const ShapeInput& input, const std::vector<BodySh
         for (std::size_t b = 0; same && b < shapes.size(); ++b) {
             same = sameSolid(e.solids[b], input.bodies[b].solid) &&
                    samePose(e.poses[b], input.bodies[b].pose) &&
-                   e.shapes[b].cage == shapes[b].cage && e.shapes[b].surface == shapes[b].surface;
+                   e.hidden[b] == input.bodies[b].hidden && e.shapes[b].cage == shapes[b].cage &&
+                   e.shapes[b].surface == shapes[b].surface;
         }
         return same;
     });
@@ -195,20 +197,25 @@ Result<StrokeCanvas> canvasFor(const ShapeInput& input, const std::vector<BodySh
     std::vector<std::array<int, 3>> triangles;
     std::vector<Solid> solids;
     std::vector<Pose> poses;
+    std::vector<bool> hidden;
     for (std::size_t b = 0; b < shapes.size(); ++b) {
+        solids.push_back(input.bodies[b].solid);
+        poses.push_back(input.bodies[b].pose);
+        hidden.push_back(input.bodies[b].hidden);
+        if (hidden.back()) continue;  // strokes lie on what is seen
         const ShapeMesh mesh = shapeMesh(input.bodies[b], shapes[b]);
         const int base = static_cast<int>(positions.size());
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (const auto& t : mesh.triangles) {
             triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
         }
-        solids.push_back(input.bodies[b].solid);
-        poses.push_back(input.bodies[b].pose);
     }
     auto canvas = StrokeCanvas::create(positions, triangles, camera);
     if (!canvas) return fail(canvas.error());
-    cache.keep(cache.canvases, Entry{std::move(solids), std::move(poses), shapes, camera, *canvas},
-               kCanvasesKept);
+    cache.keep(
+        cache.canvases,
+        Entry{std::move(solids), std::move(poses), std::move(hidden), shapes, camera, *canvas},
+        kCanvasesKept);
     return canvas;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/tolerance.h"
 #include "core/document/document_private.h"
@@ -339,12 +340,21 @@ std::function<Interpretation()> Document::Private::task(const std::vector<Pendin
     options.operation = request.operation;
     options.templateId = request.templateId;
     options.obliqueFactor = request.obliqueFactor.value_or(obliqueFactor);
-    options.bodies = bodies;
+    // Nobody draws on what is not seen.
+    std::vector<int> places;
+    std::tie(options.bodies, places) = visibleBodies(bodies);
     std::vector<Stroke> drawn;
     drawn.reserve(strokes.size());
     for (const PendingStroke& s : strokes) drawn.push_back(s.stroke);
     return [read = interpreter, drawn = std::move(drawn), library = state->library,
-            options = std::move(options)] { return read(drawn, library, options); };
+            options = std::move(options), places = std::move(places)] {
+        Interpretation found = read(drawn, library, options);
+        for (Candidate& c : found.candidates) {
+            const auto body = static_cast<std::size_t>(c.body);
+            if (c.body >= 0 && body < places.size()) c.body = places[body];
+        }
+        return found;
+    };
 }
 
 const Interpretation& Document::interpretation() const { return interpretationFor({}); }

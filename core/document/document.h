@@ -10,10 +10,14 @@
 #include <vector>
 
 #include "core/base/camera.h"
+#include "core/document/body_list.h"
 #include "core/document/derived_shape.h"
 #include "core/document/export_options.h"
 #include "core/document/sketch_script.h"
+#include "core/reading/propose/profile.h"
 #include "core/reading/types/interpretation.h"
+#include "core/solid/boolean.h"
+#include "core/solid/pull.h"
 #include "core/solid/solid.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/library.h"
@@ -61,11 +65,27 @@ struct ApplyRequest {
     std::string templateId;        ///< empty: any
     Operation operation = Operation::Auto;
     std::optional<double> obliqueFactor;  ///< not set: Document::obliqueFactor()
+    SplitKeep keep = SplitKeep::Both;     ///< of a solid that is cut in two
 };
 
 struct ApplyOutcome {
     Interpretation interpretation;
     int chosen = -1;  ///< index into interpretation.candidates
+};
+
+/// A closed outline among the pending strokes, on a face.
+struct OutlineOnFace {
+    Profile profile;           ///< `body` as in DocumentState::bodies
+    Vec3 at = Vec3::Zero();    ///< a world point inside it
+    std::vector<int> strokes;  ///< ids of the pending strokes that it was drawn by
+};
+
+/// A face that is moved along its normal.
+struct PullRequest {
+    FaceRef face;
+    double distance = 0.0;  ///< outwards positive [mm]
+    PullWalls walls = PullWalls::Follow;
+    std::optional<OutlineOnFace> outline = {};  ///< only what it encloses is pulled
 };
 
 struct FilletRequest {
@@ -205,6 +225,29 @@ class Document : public QObject {
     const std::shared_ptr<ShapeCache>& shapeCache() const;
     /// Most bytes of all surfaces together; not part of the file.
     void setSurfaceMemoryLimit(std::size_t bytes);
+
+    // Bodies, by index into DocumentState::bodies. Each is a step of the history.
+    // ------------------
+    /// The outline of pending strokes round a world point on a face. Errors: those of
+    /// readProfile().
+    Result<OutlineOnFace> outlineAt(const Vec3& world) const;
+    /// An outline is consumed. Errors: NoSolid, BadValue, those of pullFace() and pullProfile().
+    Result<void> pull(const PullRequest& request);
+    /// What pull() would lead to, for previews.
+    Result<std::shared_ptr<const DocumentState>> pulled(const PullRequest& request) const;
+    /// Fillets go with the body; strokes on the surface stay where they are seen.
+    /// \return the body that was moved, or the copy. Errors: BadValue, those of movedBody().
+    Result<int> moveBody(int body, const BodyMove& move);
+    /// Errors: BadValue, DuplicateId for a name that another body has.
+    /// \param name  empty: it is called by its number again.
+    Result<void> nameBody(int body, const std::string& name);
+    /// Errors: BadValue, NoChange.
+    Result<void> showBody(int body, bool visible);
+    Result<void> deleteBody(int body);
+    /// Adds another body to one or cuts it out of it; the other one is gone then.
+    /// Errors: BadValue, OperationImpossible for an addition that does not touch, those of
+    /// combine().
+    Result<void> combineBodies(int body, int other, BooleanKind kind);
 
     Result<void> undo(int count = 1);
     Result<void> redo(int count = 1);

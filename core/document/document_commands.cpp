@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/applied_state.h"
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/json_text.h"
@@ -71,10 +72,14 @@ bool sameStroke(const MappedStroke& a, const MappedStroke& b) {
 
 void Document::Private::stateChanged(const DocumentState& before) {
     if (before.addedTemplates != state->addedTemplates) emitChange(DocumentChange::Library);
-    const bool sameBodies =
-        before.bodies.size() == state->bodies.size() &&
-        std::equal(before.bodies.begin(), before.bodies.end(), state->bodies.begin(),
-                   [](const Body& a, const Body& b) { return &a.solid.impl() == &b.solid.impl(); });
+    const bool sameBodies = before.bodies.size() == state->bodies.size() &&
+                            std::equal(before.bodies.begin(), before.bodies.end(),
+                                       state->bodies.begin(), [](const Body& a, const Body& b) {
+                                           return &a.solid.impl() == &b.solid.impl() &&
+                                                  a.hidden == b.hidden && a.name == b.name &&
+                                                  a.pose.rotation == b.pose.rotation &&
+                                                  a.pose.translation == b.pose.translation;
+                                       });
     if (!sameBodies) emitChange(DocumentChange::Bodies);
     const bool sameStrokes =
         before.mapped.size() == state->mapped.size() &&
@@ -110,13 +115,6 @@ void Document::Private::onStackMoved(int index) {
 
 namespace {
 
-/// "Create cube" out of "Cube", but "Create L-prism" out of "L-prism".
-QString inSentence(const std::string& name) {
-    const QString text = QString::fromStdString(name);
-    const bool word = text.size() > 1 && text[1].isLower();
-    return word ? text.left(1).toLower() + text.mid(1) : text;
-}
-
 Result<int> choose(const Interpretation& reading, const std::optional<int>& wanted) {
     const Error noReading{Errc::NoMatch, "No template matches this drawing.", {}};
     if (reading.candidates.empty()) return fail(reading.problem.value_or(noReading));
@@ -131,46 +129,6 @@ Result<int> choose(const Interpretation& reading, const std::optional<int>& want
                                                 std::to_string(count) + ", counted from 0.");
     }
     return *wanted;
-}
-
-Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
-                                                           const Candidate& candidate) {
-    auto after = std::make_shared<DocumentState>(before);
-    if (candidate.operation == Operation::Add || candidate.operation == Operation::Cut) {
-        const auto body = static_cast<std::size_t>(candidate.body);
-        if (candidate.body < 0 || body >= before.bodies.size() || !candidate.result) {
-            return fail(Errc::OperationImpossible, "There is no such solid to change.");
-        }
-        after->bodies[body].solid = *candidate.result;
-        auto& edges = after->surface.edges;
-        if (body < edges.size()) {
-            edges[body] = carriedOver(before.bodies[body].solid, edges[body], *candidate.result);
-            after->surface.tidy();
-        }
-        return std::shared_ptr<const DocumentState>(std::move(after));
-    }
-    if (!candidate.pose.rotation.allFinite() || !candidate.pose.translation.allFinite()) {
-        return fail(Errc::NoSolution, "The solid has no place in the world.");
-    }
-    // What stands apart becomes a body of its own.
-    for (const PolyhedronSpec& spec : separateBodies(candidate.spec)) {
-        auto solid = Solid::fromSpec(spec);
-        if (!solid) return fail(solid.error());
-        after->bodies.push_back({*std::move(solid), candidate.pose});
-    }
-    return std::shared_ptr<const DocumentState>(std::move(after));
-}
-
-QString commandName(const Candidate& candidate) {
-    const QString name = inSentence(candidate.templateName);
-    switch (candidate.operation) {
-        case Operation::Add:
-            return QStringLiteral("Add %1").arg(name);
-        case Operation::Cut:
-            return QStringLiteral("Cut %1").arg(name);
-        default:
-            return QStringLiteral("Create %1").arg(name);
-    }
 }
 
 std::vector<int> idsOf(const std::vector<PendingStroke>& strokes) {
@@ -195,7 +153,8 @@ std::vector<PendingStroke> explainedBy(const Candidate& candidate, const std::ve
 }
 
 ApplyStep applyStep(const ApplyRequest& request) {
-    ApplyStep step{request.candidate, request.templateId, request.operation, std::nullopt};
+    ApplyStep step{request.candidate, request.templateId, request.operation, std::nullopt,
+                   request.keep};
     if (request.obliqueFactor != kDefaultObliqueFactor) step.obliqueFactor = request.obliqueFactor;
     return step;
 }
@@ -209,9 +168,10 @@ Result<void> checkRequest(const ApplyRequest& request, const DocumentState& stat
     if (!(k >= kMinObliqueFactor && k <= kMaxObliqueFactor)) {
         return fail(Errc::BadValue, "The oblique factor must be from 0.1 to 2.");
     }
-    const bool modifies =
-        request.operation == Operation::Add || request.operation == Operation::Cut;
-    const bool isCut = request.operation == Operation::Cut;
+    const bool modifies = request.operation == Operation::Add ||
+                          request.operation == Operation::Cut ||
+                          request.operation == Operation::Split;
+    const bool isCut = request.operation != Operation::Add;
     if (modifies && state.bodies.empty()) {
         return fail(Errc::OperationImpossible,
                     isCut ? "There is no solid to cut." : "There is no solid to add to.");
@@ -235,7 +195,7 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
         return fail(Errc::OperationImpossible,
                     "This drawing cannot be read as that operation; let the program choose it.");
     }
-    auto after = withCandidate(*d_->state, candidate);
+    auto after = withCandidate(*d_->state, candidate, request.keep);
     if (!after) return fail(after.error());
 
     auto memory = std::make_shared<ApplyMemory>();
@@ -284,7 +244,7 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     if (*chosen == last->chosen && command->memory->appliedFactor == d_->obliqueFactor)
         return *last;
     const Candidate& reading = last->interpretation.candidates[static_cast<std::size_t>(*chosen)];
-    auto after = withCandidate(*command->before, reading);
+    auto after = withCandidate(*command->before, reading, command->memory->request.keep);
     if (!after) return fail(after.error());
 
     auto memory = std::make_shared<ApplyMemory>(*command->memory);

@@ -25,7 +25,7 @@ bool identicalStates(const DocumentState& a, const DocumentState& b) {
     };
     const auto sameBody = [](const Body& x, const Body& y) {
         return x.solid.identicalTo(y.solid) && x.pose.rotation == y.pose.rotation &&
-               x.pose.translation == y.pose.translation;
+               x.pose.translation == y.pose.translation && x.name == y.name && x.hidden == y.hidden;
     };
     return a.addedTemplates == b.addedTemplates && a.surface == b.surface &&
            std::equal(a.mapped.begin(), a.mapped.end(), b.mapped.begin(), b.mapped.end(),

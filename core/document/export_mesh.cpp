@@ -118,7 +118,9 @@ Result<std::vector<std::size_t>> wantedBodies(const MeshSource& source,
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
-    for (std::size_t b = 0; chosen.empty() && b < source.bodies.size(); ++b) out.push_back(b);
+    for (std::size_t b = 0; chosen.empty() && b < source.bodies.size(); ++b) {
+        if (!source.bodies[b].hidden) out.push_back(b);
+    }
     return out;
 }
 
@@ -162,8 +164,13 @@ Result<WorldMeshes> toWorld(const MeshSource& source, const std::vector<std::siz
     if (auto ok = checkReach(out, tol::kDoublePrecisionReach, kTooFarOut); !ok) {
         return fail(ok.error());
     }
-    // Which body a stroke lies on is not known.
-    if (bodies.size() == source.bodies.size()) out.lines = linesOf(source, scale);
+    // Which body a stroke lies on is not known; on a hidden one lies none.
+    const auto isIn = [&](std::size_t b) {
+        return source.bodies[b].hidden || std::binary_search(bodies.begin(), bodies.end(), b);
+    };
+    bool all = true;
+    for (std::size_t b = 0; b < source.bodies.size(); ++b) all &= isIn(b);
+    if (all) out.lines = linesOf(source, scale);
     return out;
 }
 
@@ -265,6 +272,9 @@ Result<std::string> exportShape(const MeshSource& source, const std::string& pat
     if (source.shape.problem) return fail(*source.shape.problem);
     const auto bodies = wantedBodies(source, options.bodies);
     if (!bodies) return fail(bodies.error());
+    if (bodies->empty()) {
+        return fail(Errc::NoSolid, "All solids are hidden; show one to export it.");
+    }
     const bool scaled = formatLacksUnit(path);
 
     constexpr double kMeshesShare = 0.3;

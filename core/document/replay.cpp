@@ -41,7 +41,7 @@ class StepRunner {
     }
     Result<void> operator()(const ApplyStep& s) {
         ApplyRequest request{s.candidate, s.templateId, s.operation,
-                             s.obliqueFactor.value_or(kScriptObliqueFactor)};
+                             s.obliqueFactor.value_or(kScriptObliqueFactor), s.keep};
         auto outcome = document_.apply(request);
         if (outcome) {
             report_.interpretation = std::move(outcome->interpretation);
@@ -150,8 +150,60 @@ class StepRunner {
         return document_.nameState(s.state.value_or(document_.undoStack().index()), s.name);
     }
     Result<void> operator()(const CompactStep&) { return document_.compactHistory(); }
+    Result<void> operator()(const PullStep& s) {
+        int body = -1;
+        if (s.body) {
+            const auto named = bodyOf(*s.body);
+            if (!named) return fail(named.error());
+            body = *named;
+        }
+        const auto face = nearestFace(document_.state().bodies, s.at, body);
+        if (!face) return fail(face.error());
+        PullRequest request{*face, s.distance, s.walls};
+        if (!s.whole && !document_.pendingStrokes().empty()) {
+            auto outline = document_.outlineAt(s.at);
+            if (outline && outline->profile.body == face->body &&
+                outline->profile.face == face->face) {
+                request.outline = *std::move(outline);
+            } else if (!outline && outline.error().code != Errc::NoRegion &&
+                       outline.error().code != Errc::NoSurface) {
+                return fail(outline.error());
+            }
+        }
+        return document_.pull(request);
+    }
+    Result<void> operator()(const MoveBodyStep& s) {
+        return onBody(s.body, [&](int b) { return dropValue(document_.moveBody(b, s.move)); });
+    }
+    Result<void> operator()(const NameBodyStep& s) {
+        return onBody(s.body, [&](int b) { return document_.nameBody(b, s.name); });
+    }
+    Result<void> operator()(const ShowBodyStep& s) {
+        return onBody(s.body, [&](int b) { return document_.showBody(b, s.visible); });
+    }
+    Result<void> operator()(const DeleteBodyStep& s) {
+        return onBody(s.body, [&](int b) { return document_.deleteBody(b); });
+    }
+    Result<void> operator()(const CombineBodiesStep& s) {
+        return onBody(s.body, [&](int b) -> Result<void> {
+            const auto other = bodyOf(s.other);
+            if (!other) return fail(other.error());
+            return document_.combineBodies(b, *other, s.kind);
+        });
+    }
 
   private:
+    /// The index of a body that a step names; one out of range is for the document to refuse.
+    Result<int> bodyOf(const BodyWord& word) const {
+        if (word.index >= 0) return word.index;
+        return findBody(document_.state().bodies, word.name);
+    }
+    template <class Deed>
+    Result<void> onBody(const BodyWord& word, const Deed& deed) const {
+        const auto body = bodyOf(word);
+        if (!body) return fail(body.error());
+        return deed(*body);
+    }
     Result<QString> pathIn(const QString& folder, const std::string& file) const {
         const QString path = QString::fromStdString(file);
         if (options_.allowOutside) return QDir::cleanPath(QDir(folder).absoluteFilePath(path));

@@ -109,7 +109,27 @@ Json stepJson(const StepReport& step) {
     return out;
 }
 
-Json solidJson(const std::vector<Body>& bodies) {
+Json bodiesJson(const std::vector<Body>& bodies) {
+    Json list = Json::array();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const SolidSummary s = summarize({bodies[b]});
+        list.push_back({{"name", bodyName(bodies, b)},
+                        {"visible", !bodies[b].hidden},
+                        {"vertices", s.vertices},
+                        {"edges", s.edges},
+                        {"faces", s.faces},
+                        {"shells", s.shells},
+                        {"genus", s.genus},
+                        {"closed", readsAsClosed({bodies[b]}, {BodyShape{}})},
+                        {"volume", s.volume},
+                        {"area", s.area},
+                        {"bounds", {vec(s.bounds[0]), vec(s.bounds[1])}}});
+    }
+    return list;
+}
+
+Json solidJson(const std::vector<Body>& all) {
+    const std::vector<Body> bodies = visibleBodies(all).first;
     if (bodies.empty()) return nullptr;
     const SolidSummary s = summarize(bodies);
     Json positions = Json::array();
@@ -139,6 +159,7 @@ Json surfaceJson(const Document& document) {
     if (any) {
         for (std::size_t b = 0; b < state.bodies.size(); ++b) {
             // A surface may be large: it is read where it is. Its pose changes no volume.
+            if (state.bodies[b].hidden) continue;
             if (const auto& surface = shape->bodies[b].surface) {
                 triangles += surface->triangles.size();
                 volume += enclosedVolume(surface->positions, surface->triangles);
@@ -211,6 +232,7 @@ std::string writeReport(const Document& document, const ReplayReport& report,
                    {"script", scriptName},
                    {"steps", steps},
                    {"solid", solidJson(document.state().bodies)},
+                   {"bodies", bodiesJson(document.state().bodies)},
                    {"surface", surfaceJson(document)},
                    {"undo", {{"index", stack.index()}, {"count", stack.count()}}},
                    {"ms_total", report.msTotal}};

@@ -10,8 +10,11 @@
 
 #include "core/base/camera.h"
 #include "core/base/result.h"
+#include "core/document/body_list.h"
 #include "core/document/export_options.h"
 #include "core/reading/types/interpretation.h"
+#include "core/solid/boolean.h"
+#include "core/solid/pull.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/template.h"
 
@@ -35,11 +38,16 @@ struct EraseStep {
     Vec2 at = Vec2::Zero();
 };
 struct ClearStep {};
+/// What stays of a solid that a plane cuts in two.
+enum class SplitKeep { Both, Larger, Smaller };
+/// "both", "larger", "smaller".
+std::string_view splitKeepName(SplitKeep keep);
 struct ApplyStep {
     std::optional<int> candidate;
     std::string templateId;
     Operation operation = Operation::Auto;
     std::optional<double> obliqueFactor;  ///< k of the oblique reading, where it is not 0.5
+    SplitKeep keep = SplitKeep::Both;
 };
 /// Which edges a step is for.
 struct EdgeWords {
@@ -93,6 +101,37 @@ struct ExportStep {
     ExportUnit unit = ExportUnit::Millimetre;
     std::vector<int> bodies = {};  ///< by index; empty: all
 };
+/// How a step names a body: by its index, or by its name.
+struct BodyWord {
+    int index = -1;
+    std::string name;  ///< where index is -1
+};
+struct PullStep {
+    Vec3 at = Vec3::Zero();  ///< a world point on the face
+    double distance = 0.0;   ///< outwards positive [mm]
+    PullWalls walls = PullWalls::Follow;
+    std::optional<BodyWord> body;
+    bool whole = false;  ///< the face, also where pending strokes are an outline round the point
+};
+struct MoveBodyStep {
+    BodyWord body;
+    BodyMove move;
+};
+struct NameBodyStep {
+    BodyWord body;
+    std::string name;
+};
+struct ShowBodyStep {
+    BodyWord body;
+    bool visible = true;
+};
+struct DeleteBodyStep {
+    BodyWord body;
+};
+struct CombineBodiesStep {
+    BodyWord body, other;
+    BooleanKind kind = BooleanKind::Add;  ///< Add or Cut
+};
 /// Gives a state of the history a name.
 struct NameStep {
     std::string name;          ///< empty: takes the name away
@@ -105,7 +144,8 @@ using ScriptStep =
     std::variant<CameraStep, ThresholdsStep, StrokeStep, EraseStep, ClearStep, ApplyStep,
                  FilletStep, SharpenStep, CreaseStep, SubdivideStep, MapStrokesStep,
                  UnmapStrokesStep, DefineTemplateStep, DeleteSolidStep, UndoStep, RedoStep,
-                 SaveStep, OpenStep, ExportStep, NameStep, CompactStep>;
+                 SaveStep, OpenStep, ExportStep, NameStep, CompactStep, PullStep, MoveBodyStep,
+                 NameBodyStep, ShowBodyStep, DeleteBodyStep, CombineBodiesStep>;
 
 /// The "do" word of a step.
 std::string_view stepName(const ScriptStep& step);

@@ -6,6 +6,7 @@
 #include "core/base/tolerance.h"
 #include "core/document/json_text.h"
 #include "core/document/sketch_script.h"
+#include "core/document/sketch_script_bodies.h"
 #include "core/document/sketch_script_json.h"
 #include "core/document/sketch_script_surface.h"
 #include "core/tlib/template_io.h"
@@ -120,7 +121,7 @@ ScriptStep readErase(const ObjectReader& step) {
 }
 
 ScriptStep readApply(const ObjectReader& step) {
-    step.allowOnly({"do", "candidate", "template", "operation", "oblique_factor"});
+    step.allowOnly({"do", "candidate", "template", "operation", "oblique_factor", "keep"});
     ApplyStep apply;
     if (const json* v = step.find("candidate")) {
         apply.candidate = readInt(*v, step.at("candidate"), 0, kMaxInt);
@@ -134,18 +135,31 @@ ScriptStep readApply(const ObjectReader& step) {
     if (const json* v = step.find("operation")) {
         const std::string& word = readString(*v, step.at("operation"));
         bool known = false;
-        for (const Operation op :
-             {Operation::Auto, Operation::Create, Operation::Add, Operation::Cut}) {
+        for (const Operation op : {Operation::Auto, Operation::Create, Operation::Add,
+                                   Operation::Cut, Operation::Split}) {
             if (word != operationName(op)) continue;
             apply.operation = op;
             known = true;
         }
         if (!known) {
-            throwRead(Errc::BadValue, step.at("operation") + " must be auto, create, add or cut");
+            throwRead(Errc::BadValue,
+                      step.at("operation") + " must be auto, create, add, cut or split");
         }
     }
     if (const json* v = step.find("oblique_factor")) {
         apply.obliqueFactor = obliqueFactorFromJson(*v, step.at("oblique_factor"));
+    }
+    if (const json* v = step.find("keep")) {
+        const std::string& word = readString(*v, step.at("keep"));
+        bool known = false;
+        for (const SplitKeep keep : {SplitKeep::Both, SplitKeep::Larger, SplitKeep::Smaller}) {
+            if (word != splitKeepName(keep)) continue;
+            apply.keep = keep;
+            known = true;
+        }
+        if (!known) {
+            throwRead(Errc::BadValue, step.at("keep") + " must be both, larger or smaller");
+        }
     }
     return apply;
 }
@@ -287,6 +301,12 @@ const std::map<std::string_view, StepReader>& stepReaders() {
         {"export", readExport},
         {"name", readName},
         {"compact", readBare<CompactStep>},
+        {"pull", readPullStep},
+        {"move_body", readMoveBodyStep},
+        {"name_body", readNameBodyStep},
+        {"show_body", readShowBodyStep},
+        {"delete_body", readDeleteBodyStep},
+        {"combine_bodies", readCombineBodiesStep},
     };
     return readers;
 }

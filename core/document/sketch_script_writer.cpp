@@ -50,6 +50,7 @@ std::string body(const ApplyStep& s) {
     if (s.operation != Operation::Auto)
         put(out, "operation", jsonQuoted(operationName(s.operation)));
     if (s.obliqueFactor) put(out, "oblique_factor", numberText(*s.obliqueFactor));
+    if (s.keep != SplitKeep::Both) put(out, "keep", jsonQuoted(splitKeepName(s.keep)));
     return out;
 }
 
@@ -155,6 +156,49 @@ std::string body(const NameStep& s) {
 }
 std::string body(const CompactStep&) { return {}; }
 
+std::string bodyText(const BodyWord& word) {
+    return word.index >= 0 ? std::to_string(word.index) : jsonQuoted(word.name);
+}
+std::string body(const PullStep& s) {
+    std::string out;
+    put(out, "at", vecText(s.at));
+    put(out, "distance", numberText(s.distance));
+    if (s.walls == PullWalls::Straight) put(out, "walls", "\"straight\"");
+    if (s.body) put(out, "body", bodyText(*s.body));
+    if (s.whole) put(out, "whole", "true");
+    return out;
+}
+std::string body(const MoveBodyStep& s) {
+    std::string out;
+    put(out, "body", bodyText(s.body));
+    const BodyMove& m = s.move;
+    if (m.scale != Vec3::Ones()) put(out, "scale", vecText(m.scale));
+    if (m.degrees != 0.0) {
+        put(out, "rotate",
+            "{\"axis\": " + vecText(m.axis) + ", \"degrees\": " + numberText(m.degrees) + "}");
+    }
+    if (m.mirror) {
+        put(out, "mirror",
+            "{\"point\": " + vecText(m.mirror->point) +
+                ", \"normal\": " + vecText(m.mirror->normal) + "}");
+    }
+    if (m.translate != Vec3::Zero()) put(out, "translate", vecText(m.translate));
+    if (m.center) put(out, "center", vecText(*m.center));
+    if (m.copy) put(out, "copy", "true");
+    return out;
+}
+std::string body(const NameBodyStep& s) {
+    return "\"body\": " + bodyText(s.body) + ", \"name\": " + jsonQuoted(s.name);
+}
+std::string body(const ShowBodyStep& s) {
+    return "\"body\": " + bodyText(s.body) + ", \"visible\": " + (s.visible ? "true" : "false");
+}
+std::string body(const DeleteBodyStep& s) { return "\"body\": " + bodyText(s.body); }
+std::string body(const CombineBodiesStep& s) {
+    return "\"body\": " + bodyText(s.body) + ", \"with\": " + bodyText(s.other) +
+           ", \"how\": " + (s.kind == BooleanKind::Add ? "\"join\"" : "\"subtract\"");
+}
+
 struct NameOf {
     std::string_view operator()(const CameraStep&) const { return "camera"; }
     std::string_view operator()(const ThresholdsStep&) const { return "thresholds"; }
@@ -177,9 +221,20 @@ struct NameOf {
     std::string_view operator()(const ExportStep&) const { return "export"; }
     std::string_view operator()(const NameStep&) const { return "name"; }
     std::string_view operator()(const CompactStep&) const { return "compact"; }
+    std::string_view operator()(const PullStep&) const { return "pull"; }
+    std::string_view operator()(const MoveBodyStep&) const { return "move_body"; }
+    std::string_view operator()(const NameBodyStep&) const { return "name_body"; }
+    std::string_view operator()(const ShowBodyStep&) const { return "show_body"; }
+    std::string_view operator()(const DeleteBodyStep&) const { return "delete_body"; }
+    std::string_view operator()(const CombineBodiesStep&) const { return "combine_bodies"; }
 };
 
 }  // namespace
+
+std::string_view splitKeepName(SplitKeep keep) {
+    if (keep == SplitKeep::Both) return "both";
+    return keep == SplitKeep::Larger ? "larger" : "smaller";
+}
 
 std::string_view stepName(const ScriptStep& step) { return std::visit(NameOf{}, step); }
 

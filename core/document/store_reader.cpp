@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/document/body_list.h"
 #include "core/document/sketch_script_json.h"
 #include "core/document/store_blobs.h"
 #include "core/document/store_schema.h"
@@ -263,10 +264,22 @@ std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
     const json tree = row.tree(1);
     for (const json& item : readArray(tree, row.place())) {
         const ObjectReader body(item, itemPlace(row.place(), bodies.size()));
-        body.allowOnly({"solid", "rotation", "translation"});
+        body.allowOnly({"solid", "rotation", "translation", "name", "hidden"});
         const int id = readInt(body.require("solid"), body.at("solid"), 1, kMaxInt);
         const auto& solid = known(solids_, id, body.place(), "solid");
         bodies.push_back({solid, poseFromJson(body)});
+        if (const json* name = body.find("name")) {
+            bodies.back().name = readString(*name, body.at("name"));
+            if (auto ok = checkBodyName(bodies.back().name); !ok) {
+                throwRead(ok.error().code, body.at("name") + ": " + ok.error().message);
+            }
+        }
+        if (const json* hidden = body.find("hidden")) {
+            if (!hidden->is_boolean()) {
+                throwRead(Errc::WrongType, body.at("hidden") + " must be true or false");
+            }
+            bodies.back().hidden = hidden->get<bool>();
+        }
     }
     return bodies;
 }

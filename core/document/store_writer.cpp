@@ -110,8 +110,10 @@ std::int64_t DocumentWriter::state(const std::shared_ptr<const DocumentState>& s
                           &before->state->bodies[i].solid.impl() == &body.solid.impl();
         row.solids.push_back(same ? before->solids[i] : blob(body.solid.serialize()));
         separate(bodies);
-        bodies +=
-            "{\"solid\": " + std::to_string(row.solids.back()) + ", " + poseText(body.pose) + "}";
+        bodies += "{\"solid\": " + std::to_string(row.solids.back()) + ", " + poseText(body.pose);
+        if (!body.name.empty()) bodies += ", \"name\": " + jsonQuoted(body.name);
+        if (body.hidden) bodies += ", \"hidden\": true";
+        bodies += "}";
     }
     std::string templates = "[";
     for (const std::string& id : s->addedTemplates) {

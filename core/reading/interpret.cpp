@@ -2,14 +2,17 @@
 #include "core/reading/interpret.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "core/base/words.h"
 #include "core/edge_graph/build.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/propose/cutting_plane.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
+#include "core/reading/propose/profile.h"
 #include "core/reading/propose/whole_drawing.h"
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/picture_evidence.h"
@@ -118,6 +121,65 @@ bool runsThrough(const Candidate& c, const std::vector<Body>& bodies) {
     });
 }
 
+Vec2 middleOf(const std::vector<Stroke>& strokes) {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (const Stroke& s : strokes) {
+        for (const PenSample& p : s.samples) {
+            low = low.cwiseMin(p.position);
+            high = high.cwiseMax(p.position);
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+/// Is all that was drawn an outline on a face? Much ink is more than that.
+bool isOutline(const std::vector<Stroke>& strokes, const InkReading& ink,
+               const InterpretOptions& options) {
+    constexpr std::size_t kMost = 24;
+    if (ink.segments.size() > kMost) return false;
+    const auto profile = readProfile(strokes, options, middleOf(strokes));
+    return profile && profile->strokes.size() == strokes.size();
+}
+
+/// May strokes be a line across a solid? A drawing has more of them.
+bool isCuttingLine(const std::vector<Stroke>& strokes) {
+    constexpr std::size_t kMost = 4;
+    return strokes.size() <= kMost;
+}
+
+/// A cut through a solid is never done unasked.
+Interpretation offered(Interpretation split) {
+    std::vector<Vec2> where;
+    for (const Junction& j : split.graph.junctions) where.push_back(j.position);
+    Repair use;
+    use.kind = Repair::Kind::UseCandidate;
+    use.candidate = *split.accepted;
+    use.label = "Cut the solid in two";
+    split.repairs = {std::move(use)};
+    split.problem =
+        Error{Errc::Ambiguous, "This line could cut the solid in two; choose it, or draw on.",
+              std::move(where)};
+    split.accepted.reset();
+    return split;
+}
+
+/// Behind what strokes may mean as a change: a cut in two, where they may mean that.
+void offerCut(const std::vector<Stroke>& strokes, const InterpretOptions& options,
+              Interpretation& reading) {
+    if (!isCuttingLine(strokes)) return;
+    Interpretation split = readCuttingPlane(strokes, options);
+    if (split.candidates.empty()) return;
+    // Of many changes that it might be the last one gives way.
+    const auto most = static_cast<std::size_t>(std::max(1, options.maxCandidates - 1));
+    if (reading.candidates.size() > most) reading.candidates.resize(most);
+    for (Candidate& c : split.candidates) {
+        if (static_cast<int>(reading.candidates.size()) >= options.maxCandidates) return;
+        c.junctionVertex.assign(reading.graph.junctions.size(), -1);
+        reading.candidates.push_back(std::move(c));
+    }
+}
+
 Interpretation wholeOf(WholeReading whole) {
     Interpretation read;
     read.graph = std::move(whole.graph);
@@ -211,6 +273,11 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
                             {}};
         return out;
     }
+    if (options.operation == Operation::Split) {
+        if (!options.bodies.empty()) return readCuttingPlane(strokes, options);
+        out.problem = Error{Errc::OperationImpossible, "There is no solid to cut in two.", {}};
+        return out;
+    }
     const InkReading ink = readInk(strokes, options.thresholds.distancePx);
     if (isCrowded(ink, options.thresholds.distancePx)) {
         out.problem = Error{Errc::TooManyStrokes,
@@ -224,6 +291,9 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
     }
     ModificationReading change = readModification(ink, library, options);
     if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {
+        if (!change.interpretation.accepted && options.operation == Operation::Auto) {
+            offerCut(strokes, options, change.interpretation);
+        }
         return std::move(change.interpretation);
     }
     Interpretation created = readFreeDrawing(ink, library, options);
@@ -236,6 +306,17 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         runsThrough(created.candidates[static_cast<std::size_t>(*created.accepted)],
                     options.bodies)) {
         askInstead(created, ", but it would run through the solid that is there");
+    }
+    if (!created.accepted && !change.redraws && isOutline(strokes, ink, options)) {
+        created.problem = Error{Errc::FlatDrawing,
+                                "This outline says where, not how deep; pull it (L), or draw one "
+                                "line into the solid or out of it.",
+                                {middleOf(strokes)}};
+        return created;
+    }
+    if (created.candidates.empty() && !change.redraws && isCuttingLine(strokes)) {
+        Interpretation split = readCuttingPlane(strokes, options);
+        if (split.accepted) return offered(std::move(split));
     }
     return created;
 }

@@ -77,7 +77,9 @@ class Solid {
 /// A solid in the world.
 struct Body {
     Solid solid;
-    Pose pose;  ///< body frame -> world
+    Pose pose;             ///< body frame -> world
+    std::string name = {};  ///< that a person calls it by; empty: by its number
+    bool hidden = false;   ///< neither shown nor drawn on nor exported
 };
 
 }  // namespace ew

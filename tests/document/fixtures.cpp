@@ -130,6 +130,43 @@ void changeSurface(Document& d, int what, int number) {
     }
 }
 
+/// Deeds that have to do with whole bodies.
+void changeBodies(Document& d, int what, int number) {
+    const auto ignore = [](const auto&) {};
+    const int body = number % 3;
+    const double n = number;
+    switch (what) {
+        case 25: {
+            BodyMove move;
+            if (number % 4 == 0) move.degrees = 90 + n / 3;
+            if (number % 5 == 0) move.mirror = BodyMove::Mirror{Vec3(n, 1, 2), Vec3(1, n, 0.5)};
+            if (number % 3 == 0) move.scale = Vec3(1 + n / 40, 1, 0.75);
+            move.translate = Vec3(n / 3, -n, 0.1);
+            move.copy = number % 7 == 0;
+            ignore(d.moveBody(body, move));
+            break;
+        }
+        case 26:
+            ignore(d.pull({{body, number % 7},
+                           (n - 12) / 3,
+                           number % 2 == 0 ? PullWalls::Follow : PullWalls::Straight}));
+            break;
+        case 27:
+            ignore(d.nameBody(body, number % 4 == 0 ? "" : "K\xc3\xb6rper " + std::to_string(n)));
+            break;
+        case 28:
+            ignore(d.showBody(body, number % 2 == 0));
+            break;
+        case 29:
+            if (number % 2 == 0) ignore(d.deleteBody(body));
+            break;
+        default:
+            ignore(d.combineBodies(body, number % 2,
+                                   number % 5 == 0 ? BooleanKind::Cut : BooleanKind::Add));
+            break;
+    }
+}
+
 }  // namespace
 
 void doSomething(Document& d, int what, int number) {
@@ -199,7 +236,10 @@ void doSomething(Document& d, int what, int number) {
             if (number % 3 == 0) ignore(d.compactHistory());
             break;
         default:
-            changeSurface(d, what, number);
+            if (what > 24)
+                changeBodies(d, what, number);
+            else
+                changeSurface(d, what, number);
             break;
     }
 }
@@ -220,8 +260,8 @@ bool sameState(const DocumentState& a, const DocumentState& b) {
            std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(),
                       [](const Body& x, const Body& y) {
                           return x.solid.identicalTo(y.solid) &&
-                                 x.pose.rotation == y.pose.rotation &&
-                                 x.pose.translation == y.pose.translation;
+                                 x.pose.rotation == y.pose.rotation && x.name == y.name &&
+                                 x.hidden == y.hidden && x.pose.translation == y.pose.translation;
                       });
 }
 

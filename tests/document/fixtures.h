@@ -36,7 +36,7 @@ std::unique_ptr<Document> fakeDocument();
 /// One random thing that a person can do; what is refused changes nothing.
 /// \param what  0..kDeeds - 1.
 /// \param number  0..29, how it is done.
-inline constexpr int kDeeds = 25;
+inline constexpr int kDeeds = 31;
 void doSomething(Document& document, int what, int number);
 
 /// True where both have the same solids to the bit, in the same poses, the same templates,

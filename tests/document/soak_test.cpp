@@ -93,7 +93,8 @@ TEST(Soak, RandomWorkStaysValidSmallAndFlat) {
             ASSERT_TRUE(copy.flush());
             if (!d->state().bodies.empty()) {
                 const auto out = d->exportTo(folder.filePath("soak.obj"));
-                ASSERT_TRUE(out || d->shape()->problem) << out.error().message;
+                const bool allHidden = !out && out.error().code == Errc::NoSolid;
+                ASSERT_TRUE(out || allHidden || d->shape()->problem) << out.error().message;
             }
         }
         if (done % kRound != kRound - 1) continue;

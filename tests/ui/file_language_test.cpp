@@ -164,7 +164,10 @@ TEST(Language, EveryStepOfScriptsHasAName) {
                                    ScriptStep(UndoStep{}),           ScriptStep(RedoStep{}),
                                    ScriptStep(SaveStep{}),           ScriptStep(OpenStep{}),
                                    ScriptStep(ExportStep{}),         ScriptStep(NameStep{}),
-                                   ScriptStep(CompactStep{})}) {
+                                   ScriptStep(CompactStep{}),        ScriptStep(PullStep{}),
+                                   ScriptStep(MoveBodyStep{}),       ScriptStep(NameBodyStep{}),
+                                   ScriptStep(ShowBodyStep{}),       ScriptStep(DeleteBodyStep{}),
+                                   ScriptStep(CombineBodiesStep{})}) {
         words.erase(std::string(stepName(step)));
     }
     EXPECT_EQ(words, std::set<std::string>{"begin"});

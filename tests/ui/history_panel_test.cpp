@@ -144,7 +144,7 @@ TEST_F(History, CompactingAsksFirst) {
 
 TEST_F(History, TheUnitOfAnExportIsAskedOnceAndRemembered) {
     drawBoxAndFillet();
-    ExportDialog dialog({ExportUnit::Millimetre, 1});
+    ExportDialog dialog({ExportUnit::Millimetre, {QStringLiteral("one")}});
     auto* unit = dialog.findChild<QComboBox*>("exportUnit");
     ASSERT_NE(unit, nullptr);
     unit->setCurrentIndex(unit->findData(static_cast<int>(ExportUnit::Inch)));
@@ -152,7 +152,8 @@ TEST_F(History, TheUnitOfAnExportIsAskedOnceAndRemembered) {
     EXPECT_TRUE(dialog.bodies().empty());
     EXPECT_EQ(dialog.findChild<QListWidget*>("exportBodies"), nullptr) << "there is only one";
 
-    ExportDialog several({std::nullopt, 3});
+    ExportDialog several(
+        {std::nullopt, {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}});
     EXPECT_EQ(several.findChild<QComboBox*>("exportUnit"), nullptr);
     auto* bodies = several.findChild<QListWidget*>("exportBodies");
     ASSERT_NE(bodies, nullptr);

@@ -5,8 +5,12 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QUndoStack>
+#include <algorithm>
+#include <functional>
+#include <vector>
 
 #include "ui/apply_controller.h"
+#include "ui/body_selection.h"
 #include "ui/panels/message_bar.h"
 #include "ui/theme/themed_icon.h"
 #include "ui/tools/tool_box.h"
@@ -30,11 +34,7 @@ EditActions::EditActions(const WindowContext& context, QWidget* window)
     connect(undoAction, &QAction::triggered, this, &EditActions::undo);
     connect(redoAction, &QAction::triggered, this, &EditActions::redo);
     connect(clearAction, &QAction::triggered, this, [this] { context_.document.clearStrokes(); });
-    connect(deleteAction, &QAction::triggered, this, [this] {
-        if (auto done = context_.document.deleteBodies(); !done) {
-            context_.messages.showError(done.error());
-        }
-    });
+    connect(deleteAction, &QAction::triggered, this, &EditActions::deleteChosen);
     addTools();
     auto* escape = new QAction(tr("Cancel"), this);
     escape->setShortcut(Qt::Key_Escape);
@@ -69,6 +69,8 @@ void EditActions::addTools() {
          tr("Choose edges for a fillet; Shift adds")},
         {ToolBox::Kind::SurfacePen, "surface-pen", tr("Draw on the &surface"),
          QKeySequence(QStringLiteral("B")), tr("Every stroke goes straight onto the surface")},
+        {ToolBox::Kind::Pull, "pull", tr("Pu&ll faces"), QKeySequence(QStringLiteral("L")),
+         tr("Drag a face out of the solid or into it, or type how far")},
     };
     auto* group = new QActionGroup(this);
     for (const Entry& entry : entries) {
@@ -107,6 +109,19 @@ void EditActions::undo() {
 void EditActions::redo() {
     if (context_.document.redoInk()) return;
     if (auto done = context_.document.redo(); !done) context_.messages.showError(done.error());
+}
+
+void EditActions::deleteChosen() {
+    Document& document = context_.document;
+    std::vector<int> chosen = context_.bodies.chosen();
+    const bool all = chosen.empty() || chosen.size() == document.state().bodies.size();
+    auto done = all ? document.deleteBodies() : Result<void>();
+    // From the last one on, so that the others keep their places.
+    std::sort(chosen.begin(), chosen.end(), std::greater<>());
+    for (std::size_t i = 0; !all && done && i < chosen.size(); ++i) {
+        done = document.deleteBody(chosen[i]);
+    }
+    if (!done) context_.messages.showError(done.error());
 }
 
 void EditActions::cancel() {

@@ -29,6 +29,7 @@ class EditActions : public QObject {
   private:
     void undo();
     void redo();
+    void deleteChosen();
     void cancel();
     void addTools();
     void refresh();

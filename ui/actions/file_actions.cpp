@@ -20,6 +20,7 @@
 #include "ui/core_text.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/long_job.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/start/examples.h"
 #include "ui/theme/themed_icon.h"
@@ -402,13 +403,19 @@ void FileActions::exportSolid() {
 bool FileActions::askExport(const QString& path, ExportOptions& options) {
     const bool lacksUnit = formatLacksUnit(path.toStdString());
     ExportDialog::Questions questions;
-    questions.bodies = static_cast<int>(context_.document.state().bodies.size());
+    const std::vector<Body>& bodies = context_.document.state().bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!bodies[b].hidden) questions.bodies << shownBodyName(bodies, b);
+    }
     if (lacksUnit && !exportUnit_) questions.unit = ExportUnit::Millimetre;
-    if (questions.unit || questions.bodies > 1) {
+    if (questions.unit || questions.bodies.size() > 1) {
         ExportDialog dialog(questions, window_);
         if (dialog.exec() != QDialog::Accepted) return false;
         if (questions.unit) exportUnit_ = dialog.unit();
-        options.bodies = dialog.bodies();
+        const std::vector<int> places = visibleBodies(bodies).second;
+        for (const int chosen : dialog.bodies()) {
+            options.bodies.push_back(places[static_cast<std::size_t>(chosen)]);
+        }
     }
     if (lacksUnit) options.unit = *exportUnit_;
     return true;
@@ -416,7 +423,7 @@ bool FileActions::askExport(const QString& path, ExportOptions& options) {
 
 void FileActions::askUnit() {
     ExportDialog::Questions questions;
-    questions.bodies = 0;
+    questions.exports = false;
     questions.unit = exportUnit_.value_or(ExportUnit::Millimetre);
     ExportDialog dialog(questions, window_);
     if (dialog.exec() == QDialog::Accepted) exportUnit_ = dialog.unit();

@@ -39,7 +39,7 @@ ExportDialog::ExportDialog(const Questions& questions, QWidget* parent) : QDialo
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(metrics::kSpace);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    accept_ = buttons->addButton(questions.bodies > 0 ? tr("&Export") : tr("&Use"),
+    accept_ = buttons->addButton(questions.exports ? tr("&Export") : tr("&Use"),
                                  QDialogButtonBox::AcceptRole);
     accept_->setDefault(true);
     if (questions.unit) {
@@ -62,17 +62,17 @@ ExportDialog::ExportDialog(const Questions& questions, QWidget* parent) : QDialo
         layout->addWidget(unit_);
         layout->addWidget(hint);
     }
-    if (questions.bodies > 1) {
+    if (questions.bodies.size() > 1) {
         auto* label = new QLabel(tr("&Bodies:"), this);
         bodies_ = new QListWidget(this);
         bodies_->setObjectName(QStringLiteral("exportBodies"));
         label->setBuddy(bodies_);
-        for (int i = 0; i < questions.bodies; ++i) {
-            auto* item = new QListWidgetItem(tr("Body %1").arg(i + 1), bodies_);
+        for (const QString& name : questions.bodies) {
+            auto* item = new QListWidgetItem(name, bodies_);
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setCheckState(Qt::Checked);
         }
-        const int rows = std::min(kMostRows, questions.bodies);
+        const int rows = std::min(kMostRows, static_cast<int>(questions.bodies.size()));
         bodies_->setFixedHeight(rows * bodies_->sizeHintForRow(0) + 2 * bodies_->frameWidth());
         connect(bodies_, &QListWidget::itemChanged, this, [this] {
             bool any = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QStringList>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,8 @@ class ExportDialog : public QDialog {
   public:
     struct Questions {
         std::optional<ExportUnit> unit;  ///< proposed; not set: it is not asked for
-        int bodies = 1;                  ///< that there are; which ones is asked where several are
+        QStringList bodies = {};  ///< names of those that there are; asked for where several are
+        bool exports = true;      ///< an export follows, not only a unit from now on
     };
     explicit ExportDialog(const Questions& questions, QWidget* parent = nullptr);
 

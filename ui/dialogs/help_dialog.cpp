@@ -85,6 +85,12 @@ QString surfaceHelp() {
                  {Help::tr("Smooth surface"),
                   Help::tr("S turns it on and off; levels, or a tolerance for as many triangles "
                            "as are needed; C shows the cage over it")},
+                 {Help::tr("Pull a face"),
+                  Help::tr("L: drag it, or click it and type a distance; a number typed after a "
+                           "pull corrects it")},
+                 {Help::tr("Several solids"),
+                  Help::tr("the Solids panel shows, hides, names, moves, copies, joins and deletes "
+                           "them")},
                  {Help::tr("Draw on it"),
                   Help::tr("B: every stroke goes onto the surface; Ctrl+M maps what is drawn "
                            "already")}});

@@ -22,6 +22,8 @@ QString operationText(Operation operation) {
             return CandidateCard::tr("add");
         case Operation::Cut:
             return CandidateCard::tr("cut");
+        case Operation::Split:
+            return CandidateCard::tr("split");
         default:
             return {};
     }

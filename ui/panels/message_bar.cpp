@@ -53,6 +53,8 @@ QString doneText(const Candidate& candidate) {
             return MessageBar::tr("Added %1.").arg(solid);
         case Operation::Cut:
             return MessageBar::tr("Cut %1.").arg(solid);
+        case Operation::Split:
+            return MessageBar::tr("Cut the solid in two.");
         default:
             return MessageBar::tr("Made %1.").arg(solid);
     }
@@ -161,6 +163,8 @@ QString whatEnterDoes(const Interpretation& reading, int candidate) {
                 return MessageBar::tr("Enter adds it to the solid.");
             case Operation::Cut:
                 return MessageBar::tr("Enter cuts it out of the solid.");
+            case Operation::Split:
+                return MessageBar::tr("Enter cuts the solid in two.");
             default:
                 break;
         }

@@ -8,13 +8,15 @@
 #include "ui/tools/orbit_tool.h"
 #include "ui/tools/pan_tool.h"
 #include "ui/tools/pen_tool.h"
+#include "ui/tools/pull_tool.h"
 #include "ui/tools/surface_pen_tool.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
 
-ToolBox::ToolBox(const ToolContext& context, EdgeSelection& selection, QObject* parent)
+ToolBox::ToolBox(const ToolContext& context, EdgeSelection& selection, PullController& pull,
+                 QObject* parent)
     : QObject(parent),
       context_(context),
       pen_(std::make_unique<PenTool>(context)),
@@ -22,7 +24,9 @@ ToolBox::ToolBox(const ToolContext& context, EdgeSelection& selection, QObject* 
       orbit_(std::make_unique<OrbitTool>(context)),
       pan_(std::make_unique<PanTool>(context)),
       pickEdge_(std::make_unique<EdgeTool>(context, selection)),
-      surfacePen_(std::make_unique<SurfacePenTool>(context)) {
+      surfacePen_(std::make_unique<SurfacePenTool>(context)),
+      pullController_(pull),
+      pull_(std::make_unique<PullTool>(pull)) {
     InputArbiter::Sink sink;
     sink.pointer = [this](const PenEvent& event) { pointer(event); };
     sink.zoom = [this](const Vec2& position, double factor) { zoom(position, factor); };
@@ -35,6 +39,7 @@ ToolBox::~ToolBox() { delete arbiter_; }
 void ToolBox::setActive(Kind kind) {
     if (kind == active_) return;
     cancelGesture();
+    if (active_ == Kind::Pull) pullController_.leave();
     active_ = kind;
     context_.viewport.setHover(std::nullopt);
     switch (kind) {
@@ -44,6 +49,7 @@ void ToolBox::setActive(Kind kind) {
             context_.viewport.setCursor(Qt::CrossCursor);
             break;
         case Kind::PickEdge:
+        case Kind::Pull:
             context_.viewport.setCursor(Qt::PointingHandCursor);
             break;
         case Kind::Orbit:
@@ -85,6 +91,8 @@ Tool* ToolBox::tool(Kind kind) {
             return pickEdge_.get();
         case Kind::SurfacePen:
             return surfacePen_.get();
+        case Kind::Pull:
+            return pull_.get();
         case Kind::Pen:
             break;
     }
@@ -146,6 +154,7 @@ void ToolBox::begin(const PenEvent& event) {
 
 void ToolBox::hover(const PenEvent& event) {
     if (event.phase == PenPhase::Hover) context_.reading.penMoved();
+    if (event.phase == PenPhase::Hover && active_ == Kind::Pull) pull_->hover(event.position);
     const bool erases = event.intent == PenIntent::Erase || active_ == Kind::Eraser;
     const bool shown = event.phase != PenPhase::Leave && (erases || active_ == Kind::Pen);
     context_.viewport.setHover(shown ? std::optional<Vec2>(event.position) : std::nullopt, erases);

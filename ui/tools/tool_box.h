@@ -11,6 +11,8 @@ namespace ew {
 
 class EdgeTool;
 class InputArbiter;
+class PullController;
+class PullTool;
 class SurfacePenTool;
 
 /// Gives each gesture to its tool: the active one for the pen tip and the left button, the others
@@ -19,11 +21,13 @@ class ToolBox : public QObject {
     Q_OBJECT
 
   public:
-    enum class Kind { Pen, Eraser, Orbit, Pan, PickEdge, SurfacePen };
+    enum class Kind { Pen, Eraser, Orbit, Pan, PickEdge, SurfacePen, Pull };
 
     /// Watches the viewport of the context, which outlives this.
     /// \param selection  what picking edges fills; outlives this.
-    ToolBox(const ToolContext& context, EdgeSelection& selection, QObject* parent = nullptr);
+    /// \param pull  what pulling faces goes through; outlives this.
+    ToolBox(const ToolContext& context, EdgeSelection& selection, PullController& pull,
+            QObject* parent = nullptr);
     ~ToolBox() override;
 
     Kind active() const { return active_; }
@@ -59,6 +63,8 @@ class ToolBox : public QObject {
     std::unique_ptr<Tool> pan_;
     std::unique_ptr<EdgeTool> pickEdge_;
     std::unique_ptr<SurfacePenTool> surfacePen_;
+    PullController& pullController_;
+    std::unique_ptr<PullTool> pull_;
     InputArbiter* arbiter_;  // child of the viewport
     Kind active_ = Kind::Pen;
     Tool* current_ = nullptr;

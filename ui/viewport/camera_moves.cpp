@@ -122,6 +122,7 @@ OrthographicCamera scaleCamera(const OrthographicCamera& camera, double width, d
 std::vector<Vec3> bodyPoints(const std::vector<Body>& bodies) {
     std::vector<Vec3> points;
     for (const Body& body : bodies) {
+        if (body.hidden) continue;
         for (const Vec3& v : body.solid.vertices()) points.push_back(body.pose.toWorld(v));
     }
     return points;

@@ -34,7 +34,9 @@ class Painter {
         const Candidate& candidate = o_.reading->candidates[static_cast<std::size_t>(o_.ghost)];
         QColor colour = c_.ghost;
         if (candidate.operation == Operation::Add) colour = c_.added;
-        if (candidate.operation == Operation::Cut) colour = c_.removed;
+        if (candidate.operation == Operation::Cut || candidate.operation == Operation::Split) {
+            colour = c_.removed;
+        }
         if (colour != c_.ghost) fillFaces(candidate, colour);
         QPen seen(colour, 1.4);
         QPen hidden(colour, 1.0);

@@ -171,7 +171,9 @@ struct Scene::Private {
         for (const EdgeRef& e : chosenEdges) {
             const auto body = static_cast<std::size_t>(e.body);
             const auto edge = static_cast<std::size_t>(e.edge);
-            if (body >= bodies.size() || edge >= bodies[body].solid.edges().size()) continue;
+            if (body >= bodies.size() || bodies[body].hidden ||
+                edge >= bodies[body].solid.edges().size())
+                continue;
             const auto& ends = bodies[body].solid.edges()[edge].ends;
             const auto corner = [&](int i) {
                 const auto v = static_cast<std::size_t>(i);
@@ -274,6 +276,7 @@ void Scene::setShape(const std::vector<Body>& bodies, std::shared_ptr<const Deri
     d.shape = std::move(shape);
     Eigen::AlignedBox3d box;
     for (const Body& body : bodies) {
+        if (body.hidden) continue;
         for (const Vec3& v : body.solid.vertices()) box.extend(body.pose.toWorld(v));
     }
     d.origin = box.isEmpty() ? Vec3::Zero() : Vec3(box.center());
@@ -288,7 +291,7 @@ void Scene::setShape(const std::vector<Body>& bodies, std::shared_ptr<const Deri
     d.softMapper->SetInputData(linesGeometry(lines.soft, d.origin));
     d.mapped = mapped;
     d.updateRibbons();
-    d.faces->SetVisibility(!bodies.empty());
+    d.faces->SetVisibility(!box.isEmpty());
     d.surfaces->SetVisibility(d.shape->hasSurface());
     d.edges->SetVisibility(!d.crisp.empty());
     d.soft->SetVisibility(!lines.soft.empty());

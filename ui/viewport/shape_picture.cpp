@@ -77,6 +77,7 @@ View viewOf(const std::vector<Body>& bodies, const DerivedShape& shape,
     view.camera.worldPerPixel = 1.0;
     Eigen::AlignedBox2d box;
     for (std::size_t b = 0; b < bodies.size() && b < shape.bodies.size(); ++b) {
+        if (bodies[b].hidden) continue;
         view.meshes.push_back(shapeMesh(bodies[b], shape.bodies[b]));
         for (const Vec3& p : view.meshes.back().positions) box.extend(view.camera.project(p));
     }

@@ -166,6 +166,7 @@ struct TriangleSet {
 ShapeLines shapeLines(const std::vector<Body>& bodies, const DerivedShape& shape) {
     ShapeLines out;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].hidden) continue;
         const BodyShape& body = shape.bodies[b];
         if (body.surface)
             addCreases(bodies[b], *body.surface, out.crisp);
@@ -180,6 +181,7 @@ ShapeLines shapeLines(const std::vector<Body>& bodies, const DerivedShape& shape
 LinePieces cageLines(const std::vector<Body>& bodies, const DerivedShape& shape) {
     LinePieces out;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].hidden) continue;
         if (!shape.bodies[b].cage) {
             addSolidLines(bodies[b], out);
             continue;
@@ -234,7 +236,7 @@ vtkSmartPointer<vtkPolyData> flatGeometry(const std::vector<Body>& bodies,
                                           const DerivedShape& shape, const Vec3& origin) {
     TriangleSet set;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (shape.bodies[b].surface) continue;
+        if (shape.bodies[b].surface || bodies[b].hidden) continue;
         const ShapeMesh mesh = shapeMesh(bodies[b], shape.bodies[b]);
         // All triangles of a face have its normal, however thin one of them is.
         std::vector<Vec3> normals;
@@ -279,10 +281,13 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
                                             const DerivedShape& shape, const Vec3& origin) {
     std::size_t points = 0;
     std::size_t triangles = 0;
-    for (const BodyShape& body : shape.bodies) {
-        if (!body.surface) continue;
-        points += body.surface->normals.size();
-        triangles += body.surface->triangles.size();
+    const auto isSmooth = [&](std::size_t b) {
+        return shape.bodies[b].surface && !bodies[b].hidden;
+    };
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!isSmooth(b)) continue;
+        points += shape.bodies[b].surface->normals.size();
+        triangles += shape.bodies[b].surface->triangles.size();
     }
     const auto positions = triples(points);
     const auto normals = triples(points);
@@ -291,7 +296,7 @@ vtkSmartPointer<vtkPolyData> smoothGeometry(const std::vector<Body>& bodies,
     std::size_t base = 0;
     std::size_t corner = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (!shape.bodies[b].surface) continue;
+        if (!isSmooth(b)) continue;
         const SurfaceMesh& mesh = *shape.bodies[b].surface;
         const Pose& pose = bodies[b].pose;
         const bool own = mesh.normalTriangles.empty();

@@ -193,7 +193,8 @@ void ViewportWidget::showShape() {
     Private& d = *d_;
     d.shapeStale = false;
     const DocumentState& state = d.document.state();
-    d.scene.setShape(state.bodies, shownShape(), state.mapped);
+    const bool others = d.preview && !d.preview->bodies.empty();
+    d.scene.setShape(others ? d.preview->bodies : state.bodies, shownShape(), state.mapped);
 }
 
 void ViewportWidget::setReadingVisible(bool on) {

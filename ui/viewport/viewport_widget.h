@@ -16,6 +16,7 @@ class LiveReading;
 struct ShapePreview {
     std::shared_ptr<const DerivedShape> shape;
     bool hurried = false;  ///< the next one is expected soon; drawn roughly where that is faster
+    std::vector<Body> bodies = {};  ///< that it is the shape of; empty: the document's
 };
 
 /// The drawing surface: the scene by VTK, ink and reading by QPainter on top. Shows a document; it
@@ -40,7 +41,7 @@ class ViewportWidget : public QOpenGLWidget {
     bool occlusionVisible() const;
     bool cageVisible() const;
 
-    /// Shows another shape of the document's bodies than the document's own; nothing: its own
+    /// Shows another shape than the document's own, or other bodies; nothing: its own
     /// again. Gone as soon as the document's shape changes.
     void setPreview(std::optional<ShapePreview> preview);
     /// What is shown: the preview or, without one, the document's own shape.

@@ -13,6 +13,8 @@ std::string_view operationName(Operation op) {
             return "add";
         case Operation::Cut:
             return "cut";
+        case Operation::Split:
+            return "split";
     }
     return "auto";
 }

@@ -15,8 +15,8 @@
 
 namespace ew {
 
-enum class Operation { Auto, Create, Add, Cut };
-/// "auto", "create", "add", "cut".
+enum class Operation { Auto, Create, Add, Cut, Split };
+/// "auto", "create", "add", "cut", "split".
 std::string_view operationName(Operation op);
 
 /// How the depth of a candidate was found.
@@ -44,8 +44,9 @@ struct Candidate {
     std::vector<std::string> notes;   ///< sentences: what was assumed, e.g. a closed freedom
     PolyhedronSpec spec;              ///< the solid, or what is added or cut; body frame [mm]
     Pose pose;                        ///< body frame -> world
-    int body = -1;                    ///< Add and Cut: which of InterpretOptions::bodies changes
-    std::optional<Solid> result;      ///< ... and what it becomes
+    int body = -1;                ///< Add, Cut, Split: which of InterpretOptions::bodies changes
+    std::optional<Solid> result;  ///< ... and what it becomes; of a Split the larger part
+    std::optional<Solid> rest;    ///< of a Split the smaller part
     double obliqueFactor = 0.0;       ///< k, 0 unless depth == Oblique
     std::vector<int> unusedStrokes;   ///< pending strokes that it does not explain: they stay
 };
