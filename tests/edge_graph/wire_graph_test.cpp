@@ -154,7 +154,7 @@ TEST(WireGraph, HiddenEdgesCrossAndDetailsHardlyDo) {
     Lines seen;
     const Lines box = Box{}.lines();
     for (const auto& l : box) {
-        const Vec2 back = Box{}.corner(5);
+        const Vec2 back = Box{}.corner(7);
         if ((l[0] - back).norm() > 1e-9 && (l[1] - back).norm() > 1e-9) seen.push_back(l);
     }
     const Vec2 b = Box{}.b / 4;
