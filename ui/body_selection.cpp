@@ -25,4 +25,16 @@ void BodySelection::choose(std::vector<int> bodies) {
     emit changed();
 }
 
+Result<void> BodySelection::remove() {
+    std::vector<int> chosen = chosen_;
+    const bool all = chosen.empty() || chosen.size() == document_.state().bodies.size();
+    if (all) return document_.deleteBodies();
+    // From the last one on, so that the others keep their places.
+    std::reverse(chosen.begin(), chosen.end());
+    for (const int body : chosen) {
+        if (auto done = document_.deleteBody(body); !done) return done;
+    }
+    return {};
+}
+
 }  // namespace ew

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <vector>
 
+#include "core/base/result.h"
+
 namespace ew {
 
 class Document;
@@ -18,6 +20,9 @@ class BodySelection : public QObject {
     /// Ascending.
     const std::vector<int>& chosen() const { return chosen_; }
     void choose(std::vector<int> bodies);
+    /// Deletes the chosen ones, or all where none is chosen. Errors: those of
+    /// Document::deleteBody().
+    Result<void> remove();
 
   signals:
     void changed();

@@ -7,7 +7,7 @@
 #include <QProgressDialog>
 #include <QTimer>
 #include <atomic>
-#include <memory>
+#include <optional>
 #include <thread>
 
 #include "core/document/document.h"
@@ -65,38 +65,43 @@ void runLongJob(const QString& title, const std::function<void(const JobProgress
     worker.join();
 }
 
-Result<std::string> exportWithProgress(const Document& document, const QString& path,
-                                       ExportOptions options, QWidget* window) {
-    Result<std::string> result = std::string();
+namespace {
+
+/// Runs a task that is made with a progress to tell.
+template <class Make>
+auto taskWithProgress(const QString& title, QWidget* window, const Make& make) {
     JobProgress progress;
-    options.progress = [&progress](double share) { return progress(share); };
-    const auto task = document.exportTask(path, options);
+    const auto task = make([&progress](double share) { return progress(share); });
+    std::optional<decltype(task())> result;
     runLongJob(
-        QCoreApplication::translate("ew::LongJob", "Exporting %1\u2026")
-            .arg(QFileInfo(path).fileName()),
+        title,
         [&](const JobProgress& told) {
             progress = told;
             result = task();
         },
         window);
-    return result;
+    return *std::move(result);
+}
+
+}  // namespace
+
+Result<std::string> exportWithProgress(const Document& document, const QString& path,
+                                       ExportOptions options, QWidget* window) {
+    const QString title = QCoreApplication::translate("ew::LongJob", "Exporting %1\u2026")
+                              .arg(QFileInfo(path).fileName());
+    return taskWithProgress(title, window, [&](const JobProgress& progress) {
+        options.progress = progress;
+        return document.exportTask(path, options);
+    });
 }
 
 Result<OpenedFile> readWithProgress(const Document& document, const QString& path,
                                     QWidget* window) {
-    Result<OpenedFile> result = OpenedFile{};
-    JobProgress progress;
-    const auto task =
-        document.openTask(path, [&progress](double share) { return progress(share); });
-    runLongJob(
-        QCoreApplication::translate("ew::LongJob", "Opening %1\u2026")
-            .arg(QFileInfo(path).fileName()),
-        [&](const JobProgress& told) {
-            progress = told;
-            result = task();
-        },
-        window);
-    return result;
+    const QString title = QCoreApplication::translate("ew::LongJob", "Opening %1\u2026")
+                              .arg(QFileInfo(path).fileName());
+    return taskWithProgress(title, window, [&](const JobProgress& progress) {
+        return document.openTask(path, progress);
+    });
 }
 
 }  // namespace ew

@@ -23,8 +23,7 @@ Result<std::shared_ptr<const DocumentState>> split(const DocumentState& before,
     }
     auto after = std::make_shared<DocumentState>(before);
     const Body old = before.bodies[body];
-    const EdgeSettings settings =
-        body < before.surface.edges.size() ? before.surface.edges[body] : EdgeSettings{};
+    const EdgeSettings settings = edgesOf(before, candidate.body);
     auto& edges = after->surface.edges;
     edges.resize(after->bodies.size());
     const Solid& stays = keep == SplitKeep::Smaller ? *candidate.rest : *candidate.result;
@@ -39,6 +38,11 @@ Result<std::shared_ptr<const DocumentState>> split(const DocumentState& before,
 }
 
 }  // namespace
+
+EdgeSettings edgesOf(const DocumentState& state, int body) {
+    const auto place = static_cast<std::size_t>(body);
+    return place < state.surface.edges.size() ? state.surface.edges[place] : EdgeSettings{};
+}
 
 Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
                                                            const Candidate& candidate,

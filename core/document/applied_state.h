@@ -17,6 +17,9 @@ Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& 
                                                            const Candidate& candidate,
                                                            SplitKeep keep);
 
+/// What is set for the edges of one of a document's bodies.
+EdgeSettings edgesOf(const DocumentState& state, int body);
+
 /// The step's name, as shownStepName() knows it.
 QString commandName(const Candidate& candidate);
 

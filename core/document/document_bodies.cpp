@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/document/applied_state.h"
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/json_text.h"
@@ -26,10 +27,6 @@ Result<void> checkBody(const DocumentState& state, int body) {
     return fail(Errc::BadValue, "There is no solid number " + std::to_string(body) +
                                     "; there are " + std::to_string(state.bodies.size()) +
                                     ", counted from 0.");
-}
-
-EdgeSettings edgesOf(const DocumentState& state, int body) {
-    return at(body) < state.surface.edges.size() ? state.surface.edges[at(body)] : EdgeSettings{};
 }
 
 void setEdges(DocumentState& state, int body, EdgeSettings edges) {

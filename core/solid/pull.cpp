@@ -58,11 +58,11 @@ class Pull {
     Result<PullOutcome> run(PullWalls walls) {
         if (auto ok = begin(); !ok) return fail(ok.error());
         if (walls == PullWalls::Straight && wallsAreStraight()) walls = PullWalls::Follow;
-        if (walls == PullWalls::Follow) {
-            if (auto slid = slide()) return PullOutcome{*std::move(slid), true};
-        }
-        auto corners = walls == PullWalls::Follow ? followed() : straight();
+        const auto corners = walls == PullWalls::Follow ? followed() : straight();
         if (!corners) return fail(corners.error());
+        if (walls == PullWalls::Follow) {
+            if (auto slid = slide(*corners)) return PullOutcome{*std::move(slid), true};
+        }
         auto tool = sweep(*corners);
         if (!tool) return fail(tool.error());
         auto made = combine(solid_, *tool, distance_ > 0.0 ? BooleanKind::Add : BooleanKind::Cut);
@@ -192,7 +192,7 @@ class Pull {
     }
 
     /// The solid with the face's corners moved and nothing else changed, where that is one.
-    std::optional<Solid> slide() const {
+    std::optional<Solid> slide(const Corners& corners) const {
         std::map<int, std::set<int>> facesAt;
         for (const SolidEdge& e : impl_.edges) {
             for (const int v : e.ends) facesAt[v].insert(e.faces.begin(), e.faces.end());
@@ -201,12 +201,10 @@ class Pull {
         bool simple = true;
         eachCorner([&](int, int corner, int) { simple &= facesAt[corner].size() == kThree; });
         if (!simple) return std::nullopt;
-        const auto corners = followed();
-        if (!corners) return std::nullopt;
         ExactBrep brep;
         for (std::size_t v = 0; v < impl_.vertices.size(); ++v) {
-            const auto moved = corners->find(static_cast<int>(v));
-            brep.points.push_back(moved == corners->end()
+            const auto moved = corners.find(static_cast<int>(v));
+            brep.points.push_back(moved == corners.end()
                                       ? impl_.surface.point(Mesh::VertexHandle(static_cast<int>(v)))
                                       : pointAt(moved->second));
         }

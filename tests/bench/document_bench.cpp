@@ -16,25 +16,11 @@
 #include "core/document/store.h"
 #include "core/document/work_copy.h"
 #include "core/solid/boolean.h"
+#include "tests/bench/need.h"
 #include "tests/document/fixtures.h"
 
 namespace ew::test {
 namespace {
-
-template <class T>
-T need(Result<T> result) {
-    if (!result) {
-        std::fprintf(stderr, "%s\n", result.error().message.c_str());
-        std::exit(2);
-    }
-    return std::move(*result);
-}
-
-void need(const Result<void>& result) {
-    if (result) return;
-    std::fprintf(stderr, "%s\n", result.error().message.c_str());
-    std::exit(2);
-}
 
 Solid movedBox(const Vec3& size, const Vec3& at) {
     PolyhedronSpec spec = cornerBox(size.x(), size.y(), size.z());

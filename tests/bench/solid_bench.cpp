@@ -10,6 +10,7 @@
 #include "core/solid/boolean.h"
 #include "core/solid/exact_tool.h"
 #include "core/solid/visibility.h"
+#include "tests/bench/need.h"
 
 namespace ew::test {
 namespace {
@@ -25,15 +26,6 @@ PolyhedronSpec boxSpec(const Vec3& low, const Vec3& high) {
     spec.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                   {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
     return spec;
-}
-
-template <class T>
-T need(Result<T> result) {
-    if (!result) {
-        std::fprintf(stderr, "%s\n", result.error().message.c_str());
-        std::exit(2);
-    }
-    return std::move(*result);
 }
 
 /// A row of bosses as one tool of several shells.

@@ -11,7 +11,7 @@ namespace {
 constexpr double kDistance = 8.0;
 using Lines = std::vector<std::array<Vec2, 2>>;
 
-std::vector<EdgeGraph> wiresOf(const Lines& lines) {
+InkReading inkOf(const Lines& lines) {
     std::vector<Stroke> strokes;
     for (const auto& l : lines) {
         Stroke s;
@@ -19,7 +19,11 @@ std::vector<EdgeGraph> wiresOf(const Lines& lines) {
         s.samples.push_back({l[1], 1, 0});
         strokes.push_back(std::move(s));
     }
-    return buildWireGraphs(readInk(strokes, kDistance), kDistance);
+    return readInk(strokes, kDistance);
+}
+
+std::vector<EdgeGraph> wiresOf(const Lines& lines) {
+    return buildWireGraphs(inkOf(lines), kDistance);
 }
 
 /// All twelve edges of a box; `b` goes to the right, `c` down, `a` to the back.
@@ -135,14 +139,7 @@ TEST(WireGraph, ScribblesAndNothingMakeNone) {
 
 TEST(WireGraph, HiddenEdgesCrossAndDetailsHardlyDo) {
     const auto crosses = [](const Lines& lines) {
-        std::vector<Stroke> strokes;
-        for (const auto& l : lines) {
-            Stroke s;
-            s.samples.push_back({l[0], 1, 0});
-            s.samples.push_back({l[1], 1, 0});
-            strokes.push_back(std::move(s));
-        }
-        return crossesLikeWires(readInk(strokes, kDistance), kDistance);
+        return crossesLikeWires(inkOf(lines), kDistance);
     };
     // Two boxes into each other, as a boss through a plate.
     Lines two = Box{}.lines();

@@ -5,9 +5,6 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QUndoStack>
-#include <algorithm>
-#include <functional>
-#include <vector>
 
 #include "ui/apply_controller.h"
 #include "ui/body_selection.h"
@@ -112,16 +109,7 @@ void EditActions::redo() {
 }
 
 void EditActions::deleteChosen() {
-    Document& document = context_.document;
-    std::vector<int> chosen = context_.bodies.chosen();
-    const bool all = chosen.empty() || chosen.size() == document.state().bodies.size();
-    auto done = all ? document.deleteBodies() : Result<void>();
-    // From the last one on, so that the others keep their places.
-    std::sort(chosen.begin(), chosen.end(), std::greater<>());
-    for (std::size_t i = 0; !all && done && i < chosen.size(); ++i) {
-        done = document.deleteBody(chosen[i]);
-    }
-    if (!done) context_.messages.showError(done.error());
+    if (auto done = context_.bodies.remove(); !done) context_.messages.showError(done.error());
 }
 
 void EditActions::cancel() {

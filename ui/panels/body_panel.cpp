@@ -225,12 +225,6 @@ void BodyPanel::duplicate() {
     selection_.choose({*made});
 }
 
-void BodyPanel::remove() {
-    std::vector<int> chosen = selection_.chosen();
-    if (chosen.size() == document_.state().bodies.size()) return tell(document_.deleteBodies());
-    // From the last one on, so that the others keep their places.
-    std::reverse(chosen.begin(), chosen.end());
-    for (const int body : chosen) tell(document_.deleteBody(body));
-}
+void BodyPanel::remove() { tell(selection_.remove()); }
 
 }  // namespace ew
