@@ -47,16 +47,16 @@ Found nearestInView(const std::vector<Body>& bodies, const std::vector<SolidView
 }
 
 /// The body and face that is seen at a point.
-FaceRef faceAt(const std::vector<Body>& bodies, const std::vector<SolidView>& views,
+FaceHit faceAt(const std::vector<Body>& bodies, const std::vector<SolidView>& views,
                const Vec2& px) {
-    FaceRef best;
+    FaceHit best;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < views.size(); ++b) {
         if (bodies[b].hidden) continue;
         const auto pick = views[b].pick(px);
         if (!pick || pick->depthPx >= nearest) continue;
         nearest = pick->depthPx;
-        best = {static_cast<int>(b), pick->face};
+        best = {{static_cast<int>(b), pick->face}, pick->world};
     }
     return best;
 }
@@ -99,22 +99,13 @@ std::vector<SolidView> viewsOf(const std::vector<Body>& bodies, const Orthograph
 
 }  // namespace
 
-std::optional<FaceRef> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+std::optional<FaceHit> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
                                  const Vec2& px) {
     const std::vector<SolidView> views = viewsOf(bodies, camera);
     if (views.size() < bodies.size()) return std::nullopt;
-    const FaceRef face = faceAt(bodies, views, px);
+    const FaceHit face = faceAt(bodies, views, px);
     if (face.face < 0) return std::nullopt;
     return face;
-}
-
-std::optional<Vec3> placeUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
-                               const Vec2& px) {
-    const std::vector<SolidView> views = viewsOf(bodies, camera);
-    if (views.size() < bodies.size()) return std::nullopt;
-    const FaceRef face = faceAt(bodies, views, px);
-    if (face.face < 0) return std::nullopt;
-    return views[at(face.body)].pick(px)->world;
 }
 
 std::vector<EdgeRef> edgesOfFace(const std::vector<Body>& bodies, const FaceRef& face) {

@@ -35,13 +35,14 @@ class EdgeSelection : public QObject {
     EdgeChoice choice_;
 };
 
-/// The face that is seen at a point of the view [px].
-std::optional<FaceRef> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
-                                 const Vec2& px);
+/// The face that is seen at a point of the view, and where on it.
+struct FaceHit : FaceRef {
+    Vec3 world = Vec3::Zero();  ///< [mm]
+};
 
-/// The world point of a face that is seen at a point of the view [px].
-std::optional<Vec3> placeUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
-                               const Vec2& px);
+/// \param px  of the view.
+std::optional<FaceHit> faceUnder(const std::vector<Body>& bodies, const OrthographicCamera& camera,
+                                 const Vec2& px);
 
 /// All edges of a face.
 std::vector<EdgeRef> edgesOfFace(const std::vector<Body>& bodies, const FaceRef& face);

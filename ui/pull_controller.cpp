@@ -52,16 +52,16 @@ void PullController::mark(const std::optional<FaceRef>& face) {
 
 void PullController::hover(const Vec2& px) {
     if (dragging_) return;
-    const auto face = faceUnder(document_.state().bodies, document_.camera(), px);
-    mark(face ? face : face_);
+    const auto hit = faceUnder(document_.state().bodies, document_.camera(), px);
+    mark(hit ? std::optional<FaceRef>(*hit) : face_);
 }
 
 void PullController::take(const Vec2& px) {
-    face_ = faceUnder(document_.state().bodies, document_.camera(), px);
+    const auto hit = faceUnder(document_.state().bodies, document_.camera(), px);
+    face_ = hit ? std::optional<FaceRef>(*hit) : std::nullopt;
     outline_.reset();
-    const auto place = placeUnder(document_.state().bodies, document_.camera(), px);
-    if (face_ && place && !document_.pendingStrokes().empty()) {
-        auto outline = document_.outlineAt(*place);
+    if (hit && !document_.pendingStrokes().empty()) {
+        auto outline = document_.outlineAt(hit->world);
         if (outline && FaceRef{outline->profile.body, outline->profile.face} == *face_) {
             outline_ = *std::move(outline);
         }
