@@ -4,13 +4,18 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/document/file_bytes.h"
+#include "core/document/resources.h"
 #include "core/document/template_pack.h"
+#include "core/reading/confusion.h"
 #include "core/tlib/library.h"
 #include "core/tlib/library_index.h"
 #include "core/tlib/template_io.h"
@@ -27,6 +32,9 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr const char* kHelp =
     "edgewright-template check FILE...        is each a template or a pack that can be used?\n"
     "edgewright-template aspects FILE...      the 2D Edge Graphs that each template can show\n"
+    "edgewright-template confusion FILE...    what random drawings of each are read as, against "
+    "all\n"
+    "                    [--count N] [--level light|normal|rough] [--seed S]\n"
     "edgewright-template pack FILE... --out PACK --name NAME [--author A] [--licence L]\n"
     "                    [--pack-version V]   one file to pass on\n"
     "  --json      print JSON\n"
@@ -39,6 +47,7 @@ struct Arguments {
     QString command;
     QStringList files;
     QString out, name, author, licence, packVersion;
+    QString count, level, seed;
     bool json = false;
 };
 
@@ -179,6 +188,93 @@ int tellAspects(const Loaded& loaded, bool asJson) {
     return kDone;
 }
 
+/// Nothing where the words are none that can be used.
+std::optional<ew::ConfusionOptions> confusionOptions(const Arguments& arguments) {
+    constexpr int kMostDrawings = 100'000;
+    ew::ConfusionOptions out;
+    bool ok = true;
+    if (!arguments.count.isEmpty()) out.drawings = arguments.count.toInt(&ok);
+    if (!ok || out.drawings < 1 || out.drawings > kMostDrawings) return std::nullopt;
+    if (!arguments.seed.isEmpty()) out.seed = arguments.seed.toULongLong(&ok);
+    if (!ok) return std::nullopt;
+    if (arguments.level == QStringLiteral("normal")) {
+        out.hand = ew::kNormalHand;
+    } else if (arguments.level == QStringLiteral("rough")) {
+        out.hand = ew::kRoughHand;
+    } else if (!arguments.level.isEmpty() && arguments.level != QStringLiteral("light")) {
+        return std::nullopt;
+    }
+    out.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return out;
+}
+
+/// The shipped templates, those of the files in the place of shipped ones with their ids.
+ew::Result<ew::TemplateLibrary> withShipped(const Loaded& loaded) {
+    std::vector<ew::Template> all;
+    for (const auto& [file, t] : loaded.templates) all.push_back(t);
+    if (const auto shipped = ew::loadTemplates()) {
+        for (const auto& entry : shipped->library.index().entries) {
+            const bool shadowed = std::any_of(all.begin(), all.end(), [&](const ew::Template& t) {
+                return t.id == entry->tmpl.id;
+            });
+            if (!shadowed) all.push_back(entry->tmpl);
+        }
+    }
+    ew::TemplateLibrary library;
+    for (const ew::Template& t : all) {
+        auto more = library.with(t);
+        if (!more) return more;
+        library = *std::move(more);
+    }
+    return library;
+}
+
+Json confusionJson(const std::vector<ew::ConfusionRow>& rows) {
+    Json list = Json::array();
+    for (const ew::ConfusionRow& row : rows) {
+        Json readAs = Json::object();
+        for (const auto& [id, count] : row.readAs) readAs[id] = count;
+        list.push_back({{"id", row.templateId},
+                        {"drawings", row.drawings},
+                        {"right", row.right()},
+                        {"asked", row.asked},
+                        {"refused", row.refused},
+                        {"read_as", readAs}});
+    }
+    return {{"format", "edgewright-template-confusion"}, {"version", 1}, {"templates", list}};
+}
+
+int tellConfusion(const Arguments& arguments, const Loaded& loaded) {
+    const auto options = confusionOptions(arguments);
+    if (!options) return unusable("--count is 1 to 100000, --level light, normal or rough");
+    const auto library = withShipped(loaded);
+    if (!library) return unusable(library.error().message);
+    std::vector<std::string> ids;
+    for (const auto& [file, t] : loaded.templates) ids.push_back(t.id);
+    const std::vector<ew::ConfusionRow> rows = ew::confusion(*library, ids, *options);
+    if (arguments.json) {
+        std::printf(
+            "%s\n",
+            confusionJson(rows).dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        std::printf("%-24s drawings right asked refused  taken for something else\n", "template");
+    }
+    // More than one drawing in fifty that becomes another solid in silence is a fault.
+    constexpr int kOneIn = 50;
+    int status = kDone;
+    for (const ew::ConfusionRow& row : rows) {
+        if (row.drawings == 0 || row.wrong() * kOneIn > row.drawings) status = kFaults;
+        if (arguments.json) continue;
+        std::printf("%-24s %8d %5d %5d %7d ", row.templateId.c_str(), row.drawings, row.right(),
+                    row.asked, row.refused);
+        for (const auto& [id, count] : row.readAs) {
+            if (id != row.templateId) std::printf(" %s %d", id.c_str(), count);
+        }
+        std::printf("%s\n", row.drawings == 0 ? " no view of it can be told" : "");
+    }
+    return status;
+}
+
 int pack(const Arguments& arguments, Loaded loaded) {
     if (arguments.out.isEmpty() || arguments.name.isEmpty()) {
         return unusable("pack needs --out and --name");
@@ -200,12 +296,14 @@ int pack(const Arguments& arguments, Loaded loaded) {
 
 /// Empty where all is well.
 std::string parse(const QStringList& words, Arguments& out) {
-    const std::vector<std::pair<const char*, QString*>> valued{
-        {"--out", &out.out},
-        {"--name", &out.name},
-        {"--author", &out.author},
-        {"--licence", &out.licence},
-        {"--pack-version", &out.packVersion}};
+    const std::vector<std::pair<const char*, QString*>> valued{{"--out", &out.out},
+                                                               {"--name", &out.name},
+                                                               {"--author", &out.author},
+                                                               {"--licence", &out.licence},
+                                                               {"--pack-version", &out.packVersion},
+                                                               {"--count", &out.count},
+                                                               {"--level", &out.level},
+                                                               {"--seed", &out.seed}};
     for (qsizetype i = 0; i < words.size(); ++i) {
         const QString& word = words[i];
         if (word == QStringLiteral("--json")) {
@@ -228,8 +326,8 @@ std::string parse(const QStringList& words, Arguments& out) {
         }
     }
     const QStringList commands{QStringLiteral("check"), QStringLiteral("aspects"),
-                               QStringLiteral("pack")};
-    if (!commands.contains(out.command)) return "say check, aspects or pack";
+                               QStringLiteral("confusion"), QStringLiteral("pack")};
+    if (!commands.contains(out.command)) return "say check, aspects, confusion or pack";
     return out.files.isEmpty() ? "no file is named" : "";
 }
 
@@ -256,6 +354,7 @@ int main(int argc, char** argv) {
     findTwins(*loaded);
     if (arguments.command == QStringLiteral("check")) return tellFaults(*loaded, arguments.json);
     if (!loaded->faults.empty()) return tellFaults(*loaded, arguments.json);
+    if (arguments.command == QStringLiteral("confusion")) return tellConfusion(arguments, *loaded);
     return arguments.command == QStringLiteral("aspects") ? tellAspects(*loaded, arguments.json)
                                                           : pack(arguments, *std::move(loaded));
 }

@@ -16,8 +16,9 @@ namespace ew::test {
 namespace {
 
 /// From top to bottom; a room includes only what stands above it.
-constexpr std::array<std::string_view, 19> kRooms{"core/base",
+constexpr std::array<std::string_view, 20> kRooms{"core/base",
                                                   "core/stroke",
+                                                  "core/hand",
                                                   "core/edge_graph",
                                                   "core/solid",
                                                   "core/tlib",

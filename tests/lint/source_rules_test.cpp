@@ -41,6 +41,7 @@ TEST(SourceRules, RoomsBelowMayNot) {
 TEST(SourceRules, EveryRoomIsOrdered) {
     const std::vector<std::string> order{"core/base",
                                          "core/stroke",
+                                         "core/hand",
                                          "core/edge_graph",
                                          "core/solid",
                                          "core/tlib",

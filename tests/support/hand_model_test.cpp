@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/hand_plan.h"
+#include "core/hand/hand_plan.h"
 #include "tests/support/sketch_generator.h"
 
 namespace ew::test {

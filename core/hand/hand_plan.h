@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "tests/support/hand_model.h"
+#include "core/hand/hand_model.h"
 
-namespace ew::test {
+namespace ew {
 
 /// What one stroke is meant to be, before the hand shakes: a polyline from pen-down to pen-up.
 struct PlannedStroke {
@@ -20,4 +20,4 @@ struct PlannedStroke {
 std::vector<PlannedStroke> planStrokes(const std::vector<Line2>& lines, const HandLevel& level,
                                        const HandHabits& habits, Random& random);
 
-}  // namespace ew::test
+}  // namespace ew

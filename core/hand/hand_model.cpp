@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/hand_model.h"
+#include "core/hand/hand_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/hand_plan.h"
+#include "core/hand/hand_plan.h"
 
-namespace ew::test {
+namespace ew {
 namespace {
 
 constexpr double kFadePx = 15.0;   ///< wobble fades towards ends and corners over this length
@@ -325,4 +325,4 @@ std::vector<Stroke> drawByHand(const std::vector<Line2>& lines, const HandLevel&
     return strokes;
 }
 
-}  // namespace ew::test
+}  // namespace ew

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/hand_plan.h"
+#include "core/hand/hand_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <queue>
 
-namespace ew::test {
+namespace ew {
 namespace {
 
 constexpr double kSameEndPx = 1e-6;
@@ -312,4 +312,4 @@ std::vector<PlannedStroke> planStrokes(const std::vector<Line2>& lines, const Ha
     return strokes;
 }
 
-}  // namespace ew::test
+}  // namespace ew
