@@ -33,6 +33,9 @@ class SliverCollapse {
             any = any || again;
             if (again) slivers = findSlivers();
         }
+        for (const std::size_t t : slivers) {
+            if (!gone_[t] && isSliver(ids(t))) moveAside(t);
+        }
         if (any) compact();
     }
 
@@ -105,6 +108,44 @@ class SliverCollapse {
             if (!isSliver(was) && !isSliver(now) && area(was).dot(area(now)) <= 0.0) return false;
         }
         return true;
+    }
+
+    /// Gives a triangle its area by moving one of its corners, within the surface rather than out
+    /// of it.
+    bool moveAside(std::size_t t) {
+        const Vec3 up = outward(t).normalized();
+        if (!up.allFinite()) return false;
+        constexpr double kMoves = 1.5;  // of the least height; rounding may take some of it
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int v = ids(t)[k];
+            const Vec3 side = point(ids(t)[(k + 2) % 3]) - point(ids(t)[(k + 1) % 3]);
+            const Vec3 across = up.cross(side).normalized();
+            if (!across.allFinite()) continue;
+            for (const Vec3& way : {across, Vec3(-across), up, Vec3(-up)}) {
+                if (moveTo(v, point(v) + kMoves * leastHeight_ * way, t)) return true;
+            }
+        }
+        return false;
+    }
+
+    /// Moves a point unless a triangle at it turns over or loses its area; `mended` must get one.
+    bool moveTo(int v, const Vec3& place, std::size_t mended) {
+        const auto& fan = fans_[at(v)];
+        std::vector<Vec3> before;
+        std::vector<bool> wasSliver;
+        for (const std::size_t t : fan) {
+            before.push_back(area(ids(t)));
+            wasSliver.push_back(isSliver(ids(t)));
+        }
+        const Vec3 from = point(v);
+        surface_.positions[at(v)] = place;
+        bool fine = !isSliver(ids(mended));
+        for (std::size_t i = 0; fine && i < fan.size(); ++i) {
+            if (wasSliver[i]) continue;
+            fine = !isSliver(ids(fan[i])) && area(ids(fan[i])).dot(before[i]) > 0.0;
+        }
+        if (!fine) surface_.positions[at(v)] = from;
+        return fine;
     }
 
     Vec3 area(const Ids& t) const {
