@@ -2,7 +2,118 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>ew::MirrorActions</name>
+    <message>
+        <source>&amp;No mirror plane</source>
+        <translation>&amp;Keine Spiegelebene</translation>
+    </message>
+    <message>
+        <source>Left and right, across &amp;X</source>
+        <translation>Links und rechts, quer zu &amp;X</translation>
+    </message>
+    <message>
+        <source>Front and back, across &amp;Y</source>
+        <translation>Vorn und hinten, quer zu &amp;Y</translation>
+    </message>
+    <message>
+        <source>Above and below, across &amp;Z</source>
+        <translation>Oben und unten, quer zu &amp;Z</translation>
+    </message>
+    <message>
+        <source>What you draw, pull and round from now on is done on both sides of the plane through the middle of the chosen solids</source>
+        <translation>Was ab jetzt gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten der Ebene durch die Mitte der gewählten Körper</translation>
+    </message>
+    <message>
+        <source>No mirror plane: what you draw is done once.</source>
+        <translation>Keine Spiegelebene: Was gezeichnet wird, geschieht einmal.</translation>
+    </message>
+    <message>
+        <source>Mirror plane set: what you draw, pull and round is done on both sides.</source>
+        <translation>Spiegelebene gesetzt: Was gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;plane</source>
+        <translation>Spiegel&amp;ebene</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
+    <message>
+        <source>This could be %1; choose it, or draw on.</source>
+        <translation>Lesbar als %1; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>This is the mirror plane already.</source>
+        <translation>Das ist schon die Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>There is no mirror plane.</source>
+        <translation>Es gibt keine Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>The mirror image would hang in the air; move the mirror plane, or drop it.</source>
+        <translation>Das Spiegelbild hinge in der Luft; die Spiegelebene verschieben oder aufheben.</translation>
+    </message>
+    <message>
+        <source>All but this corner fits %1; it is %2 from where it would be.</source>
+        <translation>Bis auf diese Ecke lesbar als %1; sie liegt %2 daneben.</translation>
+    </message>
+    <message>
+        <source>This is too small to be read: it is %1 px across. Zoom in and draw it larger.</source>
+        <translation>Zu klein zum Lesen: %1 px groß. Bitte hineinzoomen und größer zeichnen.</translation>
+    </message>
+    <message>
+        <source>This line is a curve; solids are drawn with straight lines (round them afterwards).</source>
+        <translation>Diese Linie ist krumm; Körper werden mit geraden Linien gezeichnet (gerundet werden sie danach).</translation>
+    </message>
+    <message>
+        <source>One line is missing here; with it this is %1.</source>
+        <translation>Hier fehlt eine Linie; mit ihr lesbar als %1.</translation>
+    </message>
+    <message>
+        <source>Without this line this is %1; edges that cannot be seen from here are not drawn.</source>
+        <translation>Ohne diese Linie lesbar als %1; Kanten, die man von hier nicht sieht, werden nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Without these lines this is %1; edges that cannot be seen from here are not drawn.</source>
+        <translation>Ohne diese Linien lesbar als %1; Kanten, die man von hier nicht sieht, werden nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Without this line this is %1.</source>
+        <translation>Ohne diese Linie lesbar als %1.</translation>
+    </message>
+    <message>
+        <source>Without these lines this is %1.</source>
+        <translation>Ohne diese Linien lesbar als %1.</translation>
+    </message>
+    <message>
+        <source>Move this corner</source>
+        <translation>Diese Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>Draw it straight</source>
+        <translation>Gerade zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw the missing line</source>
+        <translation>Die fehlende Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Drop these lines</source>
+        <translation>Diese Linien weglassen</translation>
+    </message>
+    <message>
+        <source>%1 out of place</source>
+        <translation>%1 daneben</translation>
+    </message>
+    <message>
+        <source>cannot be seen</source>
+        <translation>ist nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>is no edge</source>
+        <translation>ist keine Kante</translation>
+    </message>
     <message>
         <source>No face is seen there.</source>
         <translation>Dort ist keine Fläche zu sehen.</translation>
@@ -1155,6 +1266,14 @@
 <context>
     <name>Help</name>
     <message>
+        <source>Both sides at once</source>
+        <translation>Beide Seiten zugleich</translation>
+    </message>
+    <message>
+        <source>Sketch, Mirror plane: what you draw, pull and round is done on both sides of it</source>
+        <translation>Zeichnung, Spiegelebene: Was gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten</translation>
+    </message>
+    <message>
         <source>Pull a face</source>
         <translation>Eine Fläche ziehen</translation>
     </message>
@@ -1321,6 +1440,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 </context>
 <context>
     <name>Step</name>
+    <message>
+        <source>mirror_plane</source>
+        <translation>Spiegelebene</translation>
+    </message>
     <message>
         <source>pull</source>
         <translation>ziehen</translation>
@@ -1528,6 +1651,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 </context>
 <context>
     <name>ew::Document</name>
+    <message>
+        <source>Set mirror plane</source>
+        <translation>Spiegelebene setzen</translation>
+    </message>
+    <message>
+        <source>Drop mirror plane</source>
+        <translation>Spiegelebene aufheben</translation>
+    </message>
     <message>
         <source>Cut in two</source>
         <translation>Teilen</translation>
@@ -2478,6 +2609,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 </context>
 <context>
     <name>ew::SketchActions</name>
+    <message>
+        <source>Set new solids &amp;level</source>
+        <translation>Neue Körper auf&amp;richten</translation>
+    </message>
+    <message>
+        <source>A new solid that leans by no more than the angle threshold is turned upright and stands on the ground</source>
+        <translation>Ein neuer Körper, der um höchstens die Winkelschwelle schief steht, wird aufgerichtet und steht auf dem Boden</translation>
+    </message>
     <message>
         <source>&amp;Apply</source>
         <translation>&amp;Anwenden</translation>

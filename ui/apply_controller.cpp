@@ -48,6 +48,7 @@ void ApplyController::take(int candidate) {
     hold();
     ApplyRequest request;
     if (candidate >= 0) request.candidate = candidate;
+    request.level = level_;
     const auto outcome = document_.apply(request);
     if (outcome) {
         emit applied(*outcome);

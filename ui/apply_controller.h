@@ -39,6 +39,9 @@ class ApplyController : public QObject {
 
     bool automatic() const { return automatic_; }
     void setAutomatic(bool on);
+    /// ApplyRequest::level of what is applied from now on.
+    bool level() const { return level_; }
+    void setLevel(bool on) { level_ = on; }
     /// Automatic waits while this says true (a panel is being used).
     void setBusyTest(std::function<bool()> busy) { busy_ = std::move(busy); }
     /// The pen is up after it changed the ink: the wait begins.
@@ -77,6 +80,7 @@ class ApplyController : public QObject {
     bool awaitsReading_ = false;  ///< the wait begins when the ink was read
     std::function<bool()> busy_;
     bool automatic_ = true;
+    bool level_ = true;
 };
 
 }  // namespace ew

@@ -20,6 +20,20 @@ constexpr const char* kContext = "Core";
 
 /// What the core says, with %1, %2 ... for what varies; of two that fit, the earlier one counts.
 constexpr const char* kSentences[] = {
+    QT_TRANSLATE_NOOP("Core", "All but this corner fits %1; it is %2 from where it would be."),
+    QT_TRANSLATE_NOOP(
+        "Core", "This is too small to be read: it is %1 px across. Zoom in and draw it larger."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "This line is a curve; solids are drawn with straight lines (round them afterwards)."),
+    QT_TRANSLATE_NOOP("Core", "One line is missing here; with it this is %1."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Without this line this is %1; edges that cannot be seen from here are not drawn."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Without these lines this is %1; edges that cannot be seen from here are not drawn."),
+    QT_TRANSLATE_NOOP("Core", "Without this line this is %1."),
+    QT_TRANSLATE_NOOP("Core", "Without these lines this is %1."),
     QT_TRANSLATE_NOOP("Core", "%1 is damaged and cannot be opened whole: %2."),
     QT_TRANSLATE_NOOP("Core",
                       "%1: The document was written by a later version (its schema is %2, this "
@@ -45,6 +59,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "A solid is turned by a number of degrees."),
     QT_TRANSLATE_NOOP("Core", "The axis to turn about has no direction."),
     QT_TRANSLATE_NOOP("Core", "The mirror plane has no direction."),
+    QT_TRANSLATE_NOOP("Core", "This is the mirror plane already."),
+    QT_TRANSLATE_NOOP("Core", "There is no mirror plane."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The mirror image would hang in the air; move the mirror plane, or drop it."),
     QT_TRANSLATE_NOOP("Core", "A solid cannot be moved so far."),
     QT_TRANSLATE_NOOP("Core", "A name is one line of at most %1 bytes."),
     QT_TRANSLATE_NOOP("Core", "There is no solid called %1."),
@@ -106,6 +124,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "This could be %1, but it would run through the solid that is there; choose "
                       "it, or draw on."),
+    QT_TRANSLATE_NOOP("Core", "This could be %1; choose it, or draw on."),
     QT_TRANSLATE_NOOP("Core",
                       "This is one flat outline; a solid needs the lines inside it too, where its "
                       "faces meet."),
@@ -250,6 +269,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "A step can only become another step of its kind."),
     QT_TRANSLATE_NOOP("Core", "How this step was made is not known any more."),
     QT_TRANSLATE_NOOP("Core", "There is no such step in the history."),
+    QT_TRANSLATE_NOOP("Core", "Move this corner"), QT_TRANSLATE_NOOP("Core", "Draw it straight"),
+    QT_TRANSLATE_NOOP("Core", "Draw the missing line"),
+    QT_TRANSLATE_NOOP("Core", "Drop these lines"), QT_TRANSLATE_NOOP("Core", "%1 out of place"),
+    QT_TRANSLATE_NOOP("Core", "cannot be seen"), QT_TRANSLATE_NOOP("Core", "is no edge"),
     QT_TRANSLATE_NOOP("Core", "Join these ends"),
     QT_TRANSLATE_NOOP("Core", "Join the nearest ends"),
     QT_TRANSLATE_NOOP("Core", "Raise the threshold to %1"),

@@ -80,6 +80,7 @@ inline constexpr const char* kStepWords[] = {
     QT_TRANSLATE_NOOP("Step", "show_body"),
     QT_TRANSLATE_NOOP("Step", "delete_body"),
     QT_TRANSLATE_NOOP("Step", "combine_bodies"),
+    QT_TRANSLATE_NOOP("Step", "mirror_plane"),
     QT_TRANSLATE_NOOP("Step", "begin"),
 };
 

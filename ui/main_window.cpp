@@ -64,6 +64,7 @@ constexpr int kFrameHeight = 40;
 constexpr int kRoomForThree = 640;
 constexpr int kRoomForTwoSides = 1100;
 constexpr const char* kUnit = "export/unit";
+constexpr const char* kLevel = "sketch/level";
 constexpr const char* kShowStart = "window/startPage";
 }  // namespace
 
@@ -402,6 +403,7 @@ void MainWindow::restore() {
     files_->setExportUnit(exportUnitFromName(settings.value(kUnit).toString().toStdString()));
     if (start_ != nullptr) start_->setShownAtStart(settings.value(kShowStart, true).toBool());
     apply_->setAutomatic(settings.value(QStringLiteral("sketch/automatic"), true).toBool());
+    sketches_->levelAction->setChecked(settings.value(kLevel, true).toBool());
     views_->gridAction->setChecked(settings.value(QStringLiteral("view/grid"), true).toBool());
     views_->hiddenAction->setChecked(settings.value(QStringLiteral("view/hidden"), false).toBool());
     views_->occlusionAction->setChecked(
@@ -419,6 +421,7 @@ void MainWindow::remember() const {
     settings.setValue(QStringLiteral("window/theme"), Appearance::modeName(appearance_.mode()));
     if (start_ != nullptr) settings.setValue(kShowStart, start_->shownAtStart());
     settings.setValue(QStringLiteral("sketch/automatic"), apply_->automatic());
+    settings.setValue(kLevel, apply_->level());
     if (const auto unit = files_->exportUnit()) {
         const std::string_view name = exportUnitName(*unit);
         settings.setValue(kUnit, QString::fromLatin1(name.data(), qsizetype(name.size())));

@@ -33,6 +33,16 @@ std::string_view errcName(Errc code) {
             return "no-region";
         case Errc::FlatDrawing:
             return "flat-drawing";
+        case Errc::MissingEdge:
+            return "missing-edge";
+        case Errc::ExtraEdge:
+            return "extra-edge";
+        case Errc::CurvedEdge:
+            return "curved-edge";
+        case Errc::HiddenLine:
+            return "hidden-line";
+        case Errc::TooSmall:
+            return "too-small";
         case Errc::NoMatch:
             return "no-match";
         case Errc::Ambiguous:

@@ -28,6 +28,11 @@ enum class Errc {
     SeparateDrawings,  ///< "separate-drawings": more than one connected drawing
     NoRegion,          ///< "no-region": the lines enclose nothing
     FlatDrawing,       ///< "flat-drawing": an outline without lines inside it
+    MissingEdge,       ///< "missing-edge": with one more line it is a solid
+    ExtraEdge,         ///< "extra-edge": without one line it is a solid
+    CurvedEdge,        ///< "curved-edge": with one line straight it is a solid
+    HiddenLine,        ///< "hidden-line": without a line that cannot be seen it is a solid
+    TooSmall,          ///< "too-small": the lines lie nearer together than what counts as meeting
     // Matching and reconstruction
     NoMatch,              ///< "no-match": no template shows this graph
     Ambiguous,            ///< "ambiguous": several readings, none clearly best

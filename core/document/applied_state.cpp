@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/applied_state.h"
 
+#include "core/document/mirrored_state.h"
 #include "core/solid/polyhedron_spec.h"
 
 namespace ew {
@@ -72,6 +73,14 @@ Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& 
         after->bodies.push_back({*std::move(solid), candidate.pose});
     }
     return std::shared_ptr<const DocumentState>(std::move(after));
+}
+
+Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
+                                                           const Candidate& candidate,
+                                                           SplitKeep keep, double reach) {
+    auto after = withCandidate(before, candidate, keep);
+    if (!after || !before.mirror) return after;
+    return withMirrorImage(before, *std::move(after), candidate, reach);
 }
 
 QString commandName(const Candidate& candidate) {

@@ -17,6 +17,12 @@ Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& 
                                                            const Candidate& candidate,
                                                            SplitKeep keep);
 
+/// The same on both sides of the mirror plane, where there is one; see withMirrorImage().
+/// \param reach  how far faces may be from the plane that they were drawn in [mm].
+Result<std::shared_ptr<const DocumentState>> withCandidate(const DocumentState& before,
+                                                           const Candidate& candidate,
+                                                           SplitKeep keep, double reach);
+
 /// What is set for the edges of one of a document's bodies.
 EdgeSettings edgesOf(const DocumentState& state, int body);
 

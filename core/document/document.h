@@ -17,6 +17,7 @@
 #include "core/reading/propose/profile.h"
 #include "core/reading/types/interpretation.h"
 #include "core/solid/boolean.h"
+#include "core/solid/mirror.h"
 #include "core/solid/pull.h"
 #include "core/solid/solid.h"
 #include "core/stroke/stroke.h"
@@ -38,6 +39,7 @@ struct DocumentState {
     std::vector<std::string> addedTemplates;  ///< ids that this document added
     SurfaceSettings surface;                  ///< fillets and subdivision
     std::vector<MappedStroke> mapped;         ///< strokes drawn onto the surface
+    std::optional<MirrorPlane> mirror;        ///< what is done is done on both sides of it
 };
 
 /// A stroke that no command has consumed yet.
@@ -66,6 +68,9 @@ struct ApplyRequest {
     Operation operation = Operation::Auto;
     std::optional<double> obliqueFactor;  ///< not set: Document::obliqueFactor()
     SplitKeep keep = SplitKeep::Both;     ///< of a solid that is cut in two
+    /// A first solid is turned level and stands on the ground, and the camera turns with it; a
+    /// further one is set beside it where its picture allows it.
+    bool level = false;
 };
 
 struct ApplyOutcome {
@@ -238,6 +243,9 @@ class Document : public QObject {
     /// Fillets go with the body; strokes on the surface stay where they are seen.
     /// \return the body that was moved, or the copy. Errors: BadValue, those of movedBody().
     Result<int> moveBody(int body, const BodyMove& move);
+    /// From now on what is applied, pulled, filleted or creased is so on both sides of this plane;
+    /// nothing: on one. Errors: NoChange where it is so already, those of mirrorPlane().
+    Result<void> setMirror(const std::optional<MirrorPlane>& plane);
     /// Errors: BadValue, DuplicateId for a name that another body has.
     /// \param name  empty: it is called by its number again.
     Result<void> nameBody(int body, const std::string& name);

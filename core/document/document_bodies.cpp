@@ -12,7 +12,9 @@
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/json_text.h"
+#include "core/document/mirrored_state.h"
 #include "core/solid/exact_tool.h"
+#include "core/solid/mirror.h"
 #include "core/solid/transform.h"
 
 namespace ew {
@@ -107,6 +109,39 @@ Result<BooleanOutcome> combined(const Body& body, const Solid& tool, BooleanKind
     return snapped ? combine(body.solid, *snapped, kind) : made;
 }
 
+/// Pulls the mirror image of a face, or of an outline in it, of what was pulled.
+Result<void> pullMirrorImage(const DocumentState& before, const PullRequest& request,
+                             DocumentState& after) {
+    const int body = request.face.body;
+    const Body& old = before.bodies[at(body)];
+    const MirrorPlane& plane = *before.mirror;
+    const Vec3 normal = old.pose.rotation * old.solid.faces()[at(request.face.face)].normal;
+    const Vec3 point = request.outline ? request.outline->at : pointInFace(old, request.face.face);
+    const auto face = mirrorFace(after.bodies, body, point, normal, plane);
+    // A face that lies across the plane is its own image, and was pulled.
+    if (!face) return {};
+    Body& now = after.bodies[at(body)];
+    Result<PullOutcome> made = fail(Errc::NoChange, "");
+    if (request.outline) {
+        const MirrorPlane inside = inBody(plane, now.pose);
+        std::vector<Vec3> corners;
+        for (const Vec3& p : request.outline->profile.corners) corners.push_back(inside.image(p));
+        std::reverse(corners.begin(), corners.end());
+        made = pullProfile(now.solid, *face, corners, request.distance);
+    } else {
+        made = pullFace(now.solid, *face, request.distance, request.walls);
+    }
+    // An outline across the plane is its own image, too.
+    if (!made && made.error().code == Errc::NoChange) return {};
+    if (!made) return fail(made.error());
+    const EdgeSettings edges = edgesOf(after, body);
+    setEdges(after, body,
+             made->slid ? sameEdges(now.solid, edges, made->solid, 1.0)
+                        : carriedOver(now.solid, edges, made->solid));
+    now.solid = std::move(made->solid);
+    return {};
+}
+
 }  // namespace
 
 Result<OutlineOnFace> Document::outlineAt(const Vec3& world) const {
@@ -143,7 +178,29 @@ Result<std::shared_ptr<const DocumentState>> Document::pulled(const PullRequest&
              made->slid ? sameEdges(solid, edges, made->solid, 1.0)
                         : carriedOver(solid, edges, made->solid));
     after->bodies[at(body)].solid = std::move(made->solid);
+    if (before.mirror) {
+        if (auto ok = pullMirrorImage(before, request, *after); !ok) return fail(ok.error());
+    }
     return std::shared_ptr<const DocumentState>(std::move(after));
+}
+
+Result<void> Document::setMirror(const std::optional<MirrorPlane>& wanted) {
+    std::optional<MirrorPlane> plane;
+    if (wanted) {
+        auto usable = mirrorPlane(wanted->point, wanted->normal);
+        if (!usable) return fail(usable.error());
+        plane = *usable;
+    }
+    if (plane == d_->state->mirror) {
+        return fail(Errc::NoChange,
+                    plane ? "This is the mirror plane already." : "There is no mirror plane.");
+    }
+    auto after = std::make_shared<DocumentState>(*d_->state);
+    after->mirror = plane;
+    d_->record(MirrorPlaneStep{plane});
+    d_->push(plane ? QStringLiteral("Set mirror plane") : QStringLiteral("Drop mirror plane"),
+             std::move(after), {});
+    return {};
 }
 
 Result<void> Document::pull(const PullRequest& request) {
@@ -152,7 +209,9 @@ Result<void> Document::pull(const PullRequest& request) {
     const std::vector<Body>& bodies = d_->state->bodies;
     PullStep step{pointInFace(bodies[at(request.face.body)], request.face.face), request.distance,
                   request.walls, std::nullopt};
-    if (bodies.size() > 1) step.body = BodyWord{request.face.body, {}};
+    // A script finds a face of what is shown by itself.
+    const bool named = bodies.size() > 1 || bodies[at(request.face.body)].hidden;
+    if (named) step.body = BodyWord{request.face.body, {}};
     std::vector<PendingStroke> consumed;
     if (request.outline) {
         step.at = request.outline->at;

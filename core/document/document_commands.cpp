@@ -7,6 +7,7 @@
 #include "core/document/document.h"
 #include "core/document/document_private.h"
 #include "core/document/json_text.h"
+#include "core/document/level.h"
 #include "core/document/step_names.h"
 #include "core/document/template_from_solid.h"
 
@@ -153,8 +154,8 @@ std::vector<PendingStroke> explainedBy(const Candidate& candidate, const std::ve
 }
 
 ApplyStep applyStep(const ApplyRequest& request) {
-    ApplyStep step{request.candidate, request.templateId, request.operation, std::nullopt,
-                   request.keep};
+    ApplyStep step{request.candidate, request.templateId, request.operation,
+                   std::nullopt,      request.keep,       request.level};
     if (request.obliqueFactor != kDefaultObliqueFactor) step.obliqueFactor = request.obliqueFactor;
     return step;
 }
@@ -179,6 +180,22 @@ Result<void> checkRequest(const ApplyRequest& request, const DocumentState& stat
     return {};
 }
 
+/// A candidate that makes a solid of its own, set level.
+/// \param camera  that it was read through; receives the one that sees it as it was drawn.
+Candidate setLevel(Candidate candidate, const DocumentState& before, const Thresholds& thresholds,
+                   OrthographicCamera& camera) {
+    if (candidate.operation != Operation::Create) return candidate;
+    const bool first = before.bodies.empty();
+    const auto motion =
+        first ? levelled(candidate.spec, candidate.pose, thresholds.angleDeg)
+              : setBeside(candidate.spec, candidate.pose, before.bodies, camera, thresholds);
+    if (!motion) return candidate;
+    candidate.pose = (*motion)(candidate.pose);
+    // Others are seen as they are: the camera stays.
+    if (first) camera = (*motion)(camera);
+    return candidate;
+}
+
 }  // namespace
 
 Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
@@ -195,10 +212,15 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
         return fail(Errc::OperationImpossible,
                     "This drawing cannot be read as that operation; let the program choose it.");
     }
-    auto after = withCandidate(*d_->state, candidate, request.keep);
+    auto memory = std::make_shared<ApplyMemory>();
+    memory->seen = d_->ink.strokes().back().camera;
+    OrthographicCamera camera = memory->seen;
+    const Candidate made =
+        request.level ? setLevel(candidate, *d_->state, thresholds(), camera) : candidate;
+    auto after = withCandidate(*d_->state, made, request.keep,
+                               thresholds().distancePx * memory->seen.worldPerPixel);
     if (!after) return fail(after.error());
 
-    auto memory = std::make_shared<ApplyMemory>();
     memory->request = request;
     memory->outcome = {reading, *chosen};
     memory->thresholds = d_->view.thresholds;
@@ -210,7 +232,12 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
 
     d_->record(applyStep(request));
     d_->obliqueFactor = *request.obliqueFactor;
+    // Who looks from elsewhere by now goes on doing so.
+    const bool turns = d_->view.camera == memory->seen;
+    const std::shared_ptr<ApplyMemory> kept = memory;
     d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
+    if (turns) (void)setCamera(camera);
+    kept->shown = d_->view.camera;
     return outcome;
 }
 
@@ -244,10 +271,15 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     if (*chosen == last->chosen && command->memory->appliedFactor == d_->obliqueFactor)
         return *last;
     const Candidate& reading = last->interpretation.candidates[static_cast<std::size_t>(*chosen)];
-    auto after = withCandidate(*command->before, reading, command->memory->request.keep);
+    auto memory = std::make_shared<ApplyMemory>(*command->memory);
+    OrthographicCamera camera = memory->seen;
+    const Candidate made = memory->request.level
+                               ? setLevel(reading, *command->before, memory->thresholds, camera)
+                               : reading;
+    auto after = withCandidate(*command->before, made, memory->request.keep,
+                               thresholds().distancePx * memory->seen.worldPerPixel);
     if (!after) return fail(after.error());
 
-    auto memory = std::make_shared<ApplyMemory>(*command->memory);
     memory->request.candidate = *chosen;
     memory->request.obliqueFactor = d_->obliqueFactor;
     memory->outcome.chosen = *chosen;
@@ -261,7 +293,11 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     d_->record(UndoStep{});
     d_->record(applyStep(memory->request));
     auto consumed = explainedBy(reading, memory->strokeIds, d_->ink.strokes());
+    const bool turns = memory->request.level && d_->view.camera == memory->shown;
+    const std::shared_ptr<ApplyMemory> kept = memory;
     d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
+    if (turns) (void)setCamera(camera);
+    kept->shown = d_->view.camera;
     // push() compared with the state before the solid; the one on screen changed in any case.
     return outcome;
 }
@@ -311,14 +347,27 @@ Result<void> Document::repair(const Repair& repair) {
             if (!applied) return fail(applied.error());
             return {};
         }
+        case Repair::Kind::Redraw:
+            break;
         case Repair::Kind::JoinEnds:
             break;
+    }
+    std::vector<std::pair<Stroke, OrthographicCamera>> add;
+    if (repair.kind == Repair::Kind::Redraw) {
+        const OrthographicCamera& seen =
+            ids.empty() ? camera()
+                        : strokes[static_cast<std::size_t>(repair.strokes.front())].camera;
+        for (const auto& line : repair.lines) {
+            add.emplace_back(straightStroke(line[0], line[1]), seen);
+            if (auto ok = validateStroke(add.back().first); !ok) return ok;
+        }
+        d_->editInk(ids, std::move(add));
+        return {};
     }
     if (ids.size() != 1) return fail(Errc::BadValue, "One stroke at a time can be joined.");
     const PendingStroke& old = strokes[static_cast<std::size_t>(repair.strokes.front())];
     Stroke joined = extended(old.stroke, repair.from, repair.to);
     if (auto ok = validateStroke(joined); !ok) return ok;
-    std::vector<std::pair<Stroke, OrthographicCamera>> add;
     add.emplace_back(std::move(joined), old.camera);
     d_->editInk(ids, std::move(add));
     return {};

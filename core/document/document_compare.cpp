@@ -27,7 +27,7 @@ bool identicalStates(const DocumentState& a, const DocumentState& b) {
         return x.solid.identicalTo(y.solid) && x.pose.rotation == y.pose.rotation &&
                x.pose.translation == y.pose.translation && x.name == y.name && x.hidden == y.hidden;
     };
-    return a.addedTemplates == b.addedTemplates && a.surface == b.surface &&
+    return a.addedTemplates == b.addedTemplates && a.surface == b.surface && a.mirror == b.mirror &&
            std::equal(a.mapped.begin(), a.mapped.end(), b.mapped.begin(), b.mapped.end(),
                       sameMapped) &&
            std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), sameBody);

@@ -28,6 +28,8 @@ struct ApplyMemory {
     double appliedFactor = kDefaultObliqueFactor;  ///< k of the solid that was made
     double readFactor = kDefaultObliqueFactor;     ///< k of outcome.interpretation
     std::vector<int> strokeIds;                    ///< of the strokes that it was read from
+    OrthographicCamera seen;                       ///< the camera that they were read through
+    OrthographicCamera shown;                      ///< the document's, once it was made
 };
 
 class StateCommand;
@@ -112,6 +114,8 @@ struct Document::Private {
         ScriptStep step;
     };
     Result<void> pushSettings(const Change& change, SurfaceSettings settings);
+    /// The chosen edges, with their mirror images where they were picked one by one.
+    Result<std::vector<EdgeRef>> edgesOnBothSides(const EdgeChoice& choice) const;
     std::shared_ptr<const DerivedShape> derive(const DocumentState& of) const;
     void onStackMoved(int index);
     void stateChanged(const DocumentState& before);

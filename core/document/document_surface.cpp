@@ -3,6 +3,7 @@
 
 #include "core/document/document.h"
 #include "core/document/document_private.h"
+#include "core/document/mirrored_state.h"
 
 namespace ew {
 
@@ -111,12 +112,18 @@ Result<void> Document::Private::pushSettings(const Change& change, SurfaceSettin
 
 // Document ---------------------------------------------------------------------------------------
 
+Result<std::vector<EdgeRef>> Document::Private::edgesOnBothSides(const EdgeChoice& choice) const {
+    auto edges = chosenEdges(state->bodies, choice);
+    if (!edges || !state->mirror || choice.which != EdgeChoice::Which::Picked) return edges;
+    return withMirrorEdges(state->bodies, *std::move(edges), *state->mirror);
+}
+
 Result<FilletOutcome> Document::fillet(const FilletRequest& request) {
     if (auto ok = checkRadius(request.radius); !ok) return fail(ok.error());
     if (request.segments) {
         if (auto ok = checkSegments(*request.segments); !ok) return fail(ok.error());
     }
-    const auto edges = chosenEdges(d_->state->bodies, request.edges);
+    const auto edges = d_->edgesOnBothSides(request.edges);
     if (!edges) return fail(edges.error());
     SurfaceSettings settings = d_->state->surface;
     for (const EdgeRef& e : *edges) settings.setRadius(d_->state->bodies, e, request.radius);
@@ -134,7 +141,7 @@ Result<FilletOutcome> Document::fillet(const FilletRequest& request) {
 }
 
 Result<void> Document::sharpen(const EdgeChoice& choice) {
-    const auto edges = chosenEdges(d_->state->bodies, choice);
+    const auto edges = d_->edgesOnBothSides(choice);
     if (!edges) return fail(edges.error());
     SurfaceSettings settings = d_->state->surface;
     std::size_t count = 0;
@@ -155,7 +162,7 @@ Result<void> Document::crease(const EdgeChoice& choice, double sharpness) {
     if (sharpness != kAutomaticSharpness) {
         if (auto ok = checkSharpness(sharpness); !ok) return ok;
     }
-    const auto edges = chosenEdges(d_->state->bodies, choice);
+    const auto edges = d_->edgesOnBothSides(choice);
     if (!edges) return fail(edges.error());
     SurfaceSettings settings = d_->state->surface;
     for (const EdgeRef& e : *edges) settings.setSharpness(d_->state->bodies, e, sharpness);

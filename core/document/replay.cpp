@@ -40,8 +40,9 @@ class StepRunner {
         return {};
     }
     Result<void> operator()(const ApplyStep& s) {
-        ApplyRequest request{s.candidate, s.templateId, s.operation,
-                             s.obliqueFactor.value_or(kScriptObliqueFactor), s.keep};
+        ApplyRequest request{s.candidate, s.templateId,
+                             s.operation, s.obliqueFactor.value_or(kScriptObliqueFactor),
+                             s.keep,      s.level};
         auto outcome = document_.apply(request);
         if (outcome) {
             report_.interpretation = std::move(outcome->interpretation);
@@ -184,6 +185,7 @@ class StepRunner {
     Result<void> operator()(const DeleteBodyStep& s) {
         return onBody(s.body, [&](int b) { return document_.deleteBody(b); });
     }
+    Result<void> operator()(const MirrorPlaneStep& s) { return document_.setMirror(s.plane); }
     Result<void> operator()(const CombineBodiesStep& s) {
         return onBody(s.body, [&](int b) -> Result<void> {
             const auto other = bodyOf(s.other);

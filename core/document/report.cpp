@@ -57,6 +57,7 @@ Json candidatesJson(const Interpretation& reading) {
         list.push_back({{"template", c.templateId},
                         {"operation", operationName(c.operation)},
                         {"score", c.score},
+                        {"probability", c.probability},
                         {"aspect", c.aspect},
                         {"reading", c.readingId}});
     }
@@ -80,6 +81,13 @@ Json matchJson(const Interpretation& reading, int chosen) {
             {"score", c.score},
             {"residual_px", c.residualPx},
             {"reading", c.readingId},
+            {"probability", c.probability},
+            {"evidence",
+             {{"fit", c.evidence.fit},
+              {"stray", c.evidence.stray},
+              {"bare", c.evidence.bare},
+              {"freedoms", c.evidence.freedoms},
+              {"prior", c.evidence.prior}}},
             {"notes", c.notes},
             {"camera", c.depth == DepthRule::Perspective ? "perspective" : "parallel"},
             {"parts", partsJson(reading, c)},

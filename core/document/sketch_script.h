@@ -14,6 +14,7 @@
 #include "core/document/export_options.h"
 #include "core/reading/types/interpretation.h"
 #include "core/solid/boolean.h"
+#include "core/solid/mirror.h"
 #include "core/solid/pull.h"
 #include "core/stroke/stroke.h"
 #include "core/tlib/template.h"
@@ -48,6 +49,7 @@ struct ApplyStep {
     Operation operation = Operation::Auto;
     std::optional<double> obliqueFactor;  ///< k of the oblique reading, where it is not 0.5
     SplitKeep keep = SplitKeep::Both;
+    bool level = false;  ///< see ApplyRequest
 };
 /// Which edges a step is for.
 struct EdgeWords {
@@ -132,6 +134,9 @@ struct CombineBodiesStep {
     BodyWord body, other;
     BooleanKind kind = BooleanKind::Add;  ///< Add or Cut
 };
+struct MirrorPlaneStep {
+    std::optional<MirrorPlane> plane;  ///< not set: off
+};
 /// Gives a state of the history a name.
 struct NameStep {
     std::string name;          ///< empty: takes the name away
@@ -145,7 +150,7 @@ using ScriptStep =
                  FilletStep, SharpenStep, CreaseStep, SubdivideStep, MapStrokesStep,
                  UnmapStrokesStep, DefineTemplateStep, DeleteSolidStep, UndoStep, RedoStep,
                  SaveStep, OpenStep, ExportStep, NameStep, CompactStep, PullStep, MoveBodyStep,
-                 NameBodyStep, ShowBodyStep, DeleteBodyStep, CombineBodiesStep>;
+                 NameBodyStep, ShowBodyStep, DeleteBodyStep, CombineBodiesStep, MirrorPlaneStep>;
 
 /// The "do" word of a step.
 std::string_view stepName(const ScriptStep& step);

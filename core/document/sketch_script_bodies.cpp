@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/document/sketch_script_json.h"
+
 namespace ew {
 
 using nlohmann::json;
@@ -18,11 +20,6 @@ BodyWord readBody(const ObjectReader& step, const char* key) {
         return word;
     }
     return {readInt(value, step.at(key), 0, std::numeric_limits<int>::max()), {}};
-}
-
-bool readBool(const json& value, const std::string& place) {
-    if (!value.is_boolean()) throwRead(Errc::WrongType, place + " must be true or false");
-    return value.get<bool>();
 }
 
 /// One number for all directions, or one for each axis.
@@ -46,7 +43,7 @@ ScriptStep readPullStep(const ObjectReader& step) {
         if (word == "straight") pull.walls = PullWalls::Straight;
     }
     if (step.find("body") != nullptr) pull.body = readBody(step, "body");
-    if (const json* v = step.find("whole")) pull.whole = readBool(*v, step.at("whole"));
+    if (const json* v = step.find("whole")) pull.whole = boolFromJson(*v, step.at("whole"));
     return pull;
 }
 
@@ -71,7 +68,7 @@ ScriptStep readMoveBodyStep(const ObjectReader& step) {
     }
     if (const json* v = step.find("translate")) m.translate = readVec3(*v, step.at("translate"));
     if (const json* v = step.find("center")) m.center = readVec3(*v, step.at("center"));
-    if (const json* v = step.find("copy")) m.copy = readBool(*v, step.at("copy"));
+    if (const json* v = step.find("copy")) m.copy = boolFromJson(*v, step.at("copy"));
     return out;
 }
 
@@ -83,7 +80,7 @@ ScriptStep readNameBodyStep(const ObjectReader& step) {
 ScriptStep readShowBodyStep(const ObjectReader& step) {
     step.allowOnly({"do", "body", "visible"});
     ShowBodyStep out{readBody(step, "body"), true};
-    if (const json* v = step.find("visible")) out.visible = readBool(*v, step.at("visible"));
+    if (const json* v = step.find("visible")) out.visible = boolFromJson(*v, step.at("visible"));
     return out;
 }
 
@@ -101,6 +98,23 @@ ScriptStep readCombineBodiesStep(const ObjectReader& step) {
     }
     if (how == "subtract") out.kind = BooleanKind::Cut;
     return out;
+}
+
+ScriptStep readMirrorPlaneStep(const ObjectReader& step) {
+    step.allowOnly({"do", "point", "normal", "off"});
+    const json* off = step.find("off");
+    if (off != nullptr && boolFromJson(*off, step.at("off"))) {
+        if (step.find("point") != nullptr || step.find("normal") != nullptr) {
+            throwRead(Errc::BadValue, step.at("off") + " and a plane exclude each other");
+        }
+        return MirrorPlaneStep{};
+    }
+    MirrorPlane plane;
+    plane.point = readVec3(step.require("point"), step.at("point"));
+    plane.normal = readVec3(step.require("normal"), step.at("normal"));
+    auto usable = mirrorPlane(plane.point, plane.normal);
+    if (!usable) throwRead(usable.error().code, step.at("normal") + ": " + usable.error().message);
+    return MirrorPlaneStep{*usable};
 }
 
 }  // namespace ew

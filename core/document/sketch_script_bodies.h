@@ -14,5 +14,6 @@ ScriptStep readNameBodyStep(const ObjectReader& step);
 ScriptStep readShowBodyStep(const ObjectReader& step);
 ScriptStep readDeleteBodyStep(const ObjectReader& step);
 ScriptStep readCombineBodiesStep(const ObjectReader& step);
+ScriptStep readMirrorPlaneStep(const ObjectReader& step);
 
 }  // namespace ew

@@ -21,6 +21,9 @@ CameraStep cameraFromJson(const nlohmann::json& value, const std::string& place)
 /// Both keys optional, each in its range. Throws ReadError (BadValue).
 ThresholdsStep thresholdsFromJson(const nlohmann::json& value, const std::string& place);
 
+/// Throws ReadError (WrongType).
+bool boolFromJson(const nlohmann::json& value, const std::string& place);
+
 /// Range of ApplyStep::obliqueFactor. Throws ReadError (BadValue).
 double obliqueFactorFromJson(const nlohmann::json& value, const std::string& place);
 

@@ -121,7 +121,7 @@ ScriptStep readErase(const ObjectReader& step) {
 }
 
 ScriptStep readApply(const ObjectReader& step) {
-    step.allowOnly({"do", "candidate", "template", "operation", "oblique_factor", "keep"});
+    step.allowOnly({"do", "candidate", "template", "operation", "oblique_factor", "keep", "level"});
     ApplyStep apply;
     if (const json* v = step.find("candidate")) {
         apply.candidate = readInt(*v, step.at("candidate"), 0, kMaxInt);
@@ -146,6 +146,7 @@ ScriptStep readApply(const ObjectReader& step) {
                       step.at("operation") + " must be auto, create, add, cut or split");
         }
     }
+    if (const json* v = step.find("level")) apply.level = boolFromJson(*v, step.at("level"));
     if (const json* v = step.find("oblique_factor")) {
         apply.obliqueFactor = obliqueFactorFromJson(*v, step.at("oblique_factor"));
     }
@@ -307,6 +308,7 @@ const std::map<std::string_view, StepReader>& stepReaders() {
         {"show_body", readShowBodyStep},
         {"delete_body", readDeleteBodyStep},
         {"combine_bodies", readCombineBodiesStep},
+        {"mirror_plane", readMirrorPlaneStep},
     };
     return readers;
 }
@@ -322,6 +324,11 @@ ScriptStep stepFromJson(const json& value, std::size_t index) {
         throwRead(Errc::BadValue, number + ": there is no step called " + nameQuoted(word));
     }
     return found->second(ObjectReader(value, number + " (" + word + ")"));
+}
+
+bool boolFromJson(const json& value, const std::string& place) {
+    if (!value.is_boolean()) throwRead(Errc::WrongType, place + " must be true or false");
+    return value.get<bool>();
 }
 
 double obliqueFactorFromJson(const json& value, const std::string& place) {

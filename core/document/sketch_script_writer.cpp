@@ -51,6 +51,7 @@ std::string body(const ApplyStep& s) {
         put(out, "operation", jsonQuoted(operationName(s.operation)));
     if (s.obliqueFactor) put(out, "oblique_factor", numberText(*s.obliqueFactor));
     if (s.keep != SplitKeep::Both) put(out, "keep", jsonQuoted(splitKeepName(s.keep)));
+    if (s.level) put(out, "level", "true");
     return out;
 }
 
@@ -199,6 +200,11 @@ std::string body(const CombineBodiesStep& s) {
            ", \"how\": " + (s.kind == BooleanKind::Add ? "\"join\"" : "\"subtract\"");
 }
 
+std::string body(const MirrorPlaneStep& s) {
+    if (!s.plane) return "\"off\": true";
+    return "\"point\": " + vecText(s.plane->point) + ", \"normal\": " + vecText(s.plane->normal);
+}
+
 struct NameOf {
     std::string_view operator()(const CameraStep&) const { return "camera"; }
     std::string_view operator()(const ThresholdsStep&) const { return "thresholds"; }
@@ -227,6 +233,7 @@ struct NameOf {
     std::string_view operator()(const ShowBodyStep&) const { return "show_body"; }
     std::string_view operator()(const DeleteBodyStep&) const { return "delete_body"; }
     std::string_view operator()(const CombineBodiesStep&) const { return "combine_bodies"; }
+    std::string_view operator()(const MirrorPlaneStep&) const { return "mirror_plane"; }
 };
 
 }  // namespace

@@ -24,6 +24,8 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("ew::Document", "Hide solid"),
     QT_TRANSLATE_NOOP("ew::Document", "Join solids"),
     QT_TRANSLATE_NOOP("ew::Document", "Subtract solid"),
+    QT_TRANSLATE_NOOP("ew::Document", "Set mirror plane"),
+    QT_TRANSLATE_NOOP("ew::Document", "Drop mirror plane"),
     QT_TRANSLATE_NOOP("ew::Document", "Fillet 1 edge"),
     QT_TRANSLATE_NOOP("ew::Document", "Fillet %1 edges"),
     QT_TRANSLATE_NOOP("ew::Document", "Sharpen 1 edge"),

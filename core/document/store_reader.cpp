@@ -102,7 +102,8 @@ class DatabaseReader {
     void readMapped();
     void readSolids();
     void readState(const Fields& row);
-    std::vector<Body> readBodies(const Fields& row);
+    std::vector<Body> readBodies(const json& list, const std::string& place);
+    void readBodiesOf(const Fields& row, DocumentState& state);
     void readSteps();
     void readNames();
     void readInk();
@@ -240,7 +241,7 @@ void DatabaseReader::readSolids() {
     std::set<std::int64_t> named;
     each(schema::kState, [&](const Fields& row) {
         const json tree = row.tree(1);
-        for (const json& item : readArray(tree, row.place())) {
+        for (const json& item : readArray(bodyList(tree), row.place())) {
             const ObjectReader body(item, row.place());
             named.insert(readInt(body.require("solid"), body.at("solid"), 1, kMaxInt));
         }
@@ -259,11 +260,10 @@ void DatabaseReader::readSolids() {
     }
 }
 
-std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
+std::vector<Body> DatabaseReader::readBodies(const json& list, const std::string& place) {
     std::vector<Body> bodies;
-    const json tree = row.tree(1);
-    for (const json& item : readArray(tree, row.place())) {
-        const ObjectReader body(item, itemPlace(row.place(), bodies.size()));
+    for (const json& item : readArray(list, place)) {
+        const ObjectReader body(item, itemPlace(place, bodies.size()));
         body.allowOnly({"solid", "rotation", "translation", "name", "hidden"});
         const int id = readInt(body.require("solid"), body.at("solid"), 1, kMaxInt);
         const auto& solid = known(solids_, id, body.place(), "solid");
@@ -274,19 +274,30 @@ std::vector<Body> DatabaseReader::readBodies(const Fields& row) {
                 throwRead(ok.error().code, body.at("name") + ": " + ok.error().message);
             }
         }
-        if (const json* hidden = body.find("hidden")) {
-            if (!hidden->is_boolean()) {
-                throwRead(Errc::WrongType, body.at("hidden") + " must be true or false");
-            }
-            bodies.back().hidden = hidden->get<bool>();
-        }
+        const json* hidden = body.find("hidden");
+        bodies.back().hidden = hidden != nullptr && boolFromJson(*hidden, body.at("hidden"));
     }
     return bodies;
 }
 
+/// A list, or an object with one and a mirror plane.
+void DatabaseReader::readBodiesOf(const Fields& row, DocumentState& state) {
+    const json tree = row.tree(1);
+    state.bodies = readBodies(bodyList(tree), row.place());
+    if (!tree.is_object()) return;
+    const ObjectReader both(tree, row.place());
+    both.allowOnly({"bodies", "mirror"});
+    const ObjectReader mirror(both.require("mirror"), both.at("mirror"));
+    mirror.allowOnly({"point", "normal"});
+    auto plane = mirrorPlane(readVec3(mirror.require("point"), mirror.at("point")),
+                             readVec3(mirror.require("normal"), mirror.at("normal")));
+    if (!plane) throwRead(plane.error().code, mirror.place() + ": " + plane.error().message);
+    state.mirror = *plane;
+}
+
 void DatabaseReader::readState(const Fields& row) {
     auto state = std::make_shared<DocumentState>();
-    state->bodies = readBodies(row);
+    readBodiesOf(row, *state);
     std::vector<int> added;
     const json templates = row.tree(2);
     for (const json& id : readArray(templates, row.place())) {

@@ -166,4 +166,9 @@ const TemplateLibrary& StoredLibraries::with(const std::vector<int>& added,
     return known_.emplace(added, *std::move(library)).first->second;
 }
 
+const nlohmann::json& bodyList(const nlohmann::json& tree) {
+    const auto member = tree.is_object() ? tree.find("bodies") : tree.end();
+    return tree.is_object() && member != tree.end() ? *member : tree;
+}
+
 }  // namespace ew

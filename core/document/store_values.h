@@ -52,4 +52,7 @@ class StoredLibraries {
     std::map<std::vector<int>, TemplateLibrary> known_;
 };
 
+/// The list of bodies of a state: the tree itself, or its member where it has a mirror plane, too.
+const nlohmann::json& bodyList(const nlohmann::json& tree);
+
 }  // namespace ew

@@ -115,6 +115,12 @@ std::int64_t DocumentWriter::state(const std::shared_ptr<const DocumentState>& s
         if (body.hidden) bodies += ", \"hidden\": true";
         bodies += "}";
     }
+    bodies += "]";
+    if (s->mirror) {
+        bodies = "{\"bodies\": " + bodies +
+                 ", \"mirror\": {\"point\": " + vecText(s->mirror->point) +
+                 ", \"normal\": " + vecText(s->mirror->normal) + "}}";
+    }
     std::string templates = "[";
     for (const std::string& id : s->addedTemplates) {
         separate(templates);
@@ -129,7 +135,7 @@ std::int64_t DocumentWriter::state(const std::shared_ptr<const DocumentState>& s
     row.mapped = mapped(*s, before);
     row.id = ++known_.stateRows;
     put(schema::kState,
-        {row.id, bodies + "]", templates + "]", optional(row.surface), optional(row.mapped)});
+        {row.id, bodies, templates + "]", optional(row.surface), optional(row.mapped)});
     return known_.states.emplace(s.get(), std::move(row)).first->second.id;
 }
 

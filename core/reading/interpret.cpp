@@ -9,6 +9,7 @@
 #include "core/base/words.h"
 #include "core/edge_graph/build.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/explain/causes.h"
 #include "core/reading/propose/cutting_plane.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
@@ -37,7 +38,8 @@ std::size_t mostLines(const TemplateLibrary& library) {
 /// edges too many or too few? What it can tell better (a gap, a choice, a flat outline) is the
 /// person's to mend.
 bool foundNothing(const Interpretation& reading) {
-    if (reading.accepted || !reading.problem) return false;
+    // That a corner is out of place is told better than an odd solid is made of it.
+    if (reading.accepted || !reading.problem || reading.slip) return false;
     const Errc code = reading.problem->code;
     for (const Errc none : {Errc::NoMatch, Errc::NotParallel, Errc::NoSolution,
                             Errc::SeparateDrawings, Errc::SelfCrossing}) {
@@ -188,10 +190,31 @@ Interpretation wholeOf(WholeReading whole) {
     return read;
 }
 
+/// A solid that explains the drawing, but not without doubt.
+Interpretation offeredWhole(WholeReading whole) {
+    Interpretation read = wholeOf(std::move(whole));
+    read.accepted.reset();
+    const std::string name = withArticle(read.candidates.front().templateName);
+    Repair use;
+    use.kind = Repair::Kind::UseCandidate;
+    use.candidate = 0;
+    use.label = "Take it as " + name + " all the same";
+    read.repairs.push_back(std::move(use));
+    std::vector<Vec2> where;
+    for (const Junction& j : read.graph.junctions) where.push_back(j.position);
+    read.problem =
+        Error{Errc::Ambiguous, "This could be " + name + "; choose it, or draw on.", where};
+    return read;
+}
+
 /// A template with lines on it stays what was taken; a solid that has them as edges, but not
 /// without doubt, stands behind it.
 void offerToo(WholeReading whole, Interpretation& reading) {
+    double left = 1.0;
+    for (const Candidate& c : reading.candidates) left = std::max(0.0, left - c.probability);
     for (Candidate& c : whole.candidates) {
+        // Their costs are not comparable: they have what the others leave.
+        c.probability *= left;
         // The candidates speak of another graph.
         c.junctionVertex.assign(reading.graph.junctions.size(), -1);
         reading.candidates.push_back(std::move(c));
@@ -237,6 +260,10 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
         return better ? wholeOf(*std::move(whole)) : out;
     }
     if (whole->clear && explains) return wholeOf(*std::move(whole));
+    // What has all of the ink is more than a reason why no template fits.
+    if (!taken && !out.slip && whole->residue <= params::kMostDetail) {
+        return offeredWhole(*std::move(whole));
+    }
     // Who draws hidden lines means all other lines as edges, too.
     const bool partial = doubt.hidden && doubt.detailed;
     if (taken && (partial || (doubt.poor && explains))) askAboutLines(out);
@@ -245,41 +272,12 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     return out;
 }
 
-}  // namespace
-
-Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
-                         const InterpretOptions& options) {
-    Interpretation out;
-    if (strokes.empty()) {
-        out.problem = Error{Errc::EmptySketch, "Nothing is drawn yet.", {}};
-        return out;
-    }
-    if (strokes.size() > kMaxPendingStrokes) {
-        out.problem = Error{Errc::TooManyStrokes,
-                            "There are " + std::to_string(strokes.size()) + " strokes; at most " +
-                                std::to_string(kMaxPendingStrokes) + " are read at once.",
-                            {}};
-        return out;
-    }
-    for (const Stroke& s : strokes) {
-        if (auto ok = validateStroke(s); !ok) {
-            out.problem = ok.error();
-            return out;
-        }
-    }
-    if (!options.templateId.empty() && library.find(options.templateId) < 0) {
-        out.problem = Error{Errc::UnknownTemplate,
-                            "There is no template \"" + options.templateId + "\" in the library.",
-                            {}};
-        return out;
-    }
-    if (options.operation == Operation::Split) {
-        if (!options.bodies.empty()) return readCuttingPlane(strokes, options);
-        out.problem = Error{Errc::OperationImpossible, "There is no solid to cut in two.", {}};
-        return out;
-    }
+/// Strokes that can be read, as a drawing in free space or a change of the solids that are there.
+Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
+                           const InterpretOptions& options) {
     const InkReading ink = readInk(strokes, options.thresholds.distancePx);
     if (isCrowded(ink, options.thresholds.distancePx)) {
+        Interpretation out;
         out.problem = Error{Errc::TooManyStrokes,
                             "There are more lines than the " + std::to_string(kMaxLines) +
                                 " that are read at once; draw one solid at a time.",
@@ -319,6 +317,47 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         if (split.accepted) return offered(std::move(split));
     }
     return created;
+}
+
+}  // namespace
+
+Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
+                         const InterpretOptions& options) {
+    Interpretation out;
+    if (strokes.empty()) {
+        out.problem = Error{Errc::EmptySketch, "Nothing is drawn yet.", {}};
+        return out;
+    }
+    if (strokes.size() > kMaxPendingStrokes) {
+        out.problem = Error{Errc::TooManyStrokes,
+                            "There are " + std::to_string(strokes.size()) + " strokes; at most " +
+                                std::to_string(kMaxPendingStrokes) + " are read at once.",
+                            {}};
+        return out;
+    }
+    for (const Stroke& s : strokes) {
+        if (auto ok = validateStroke(s); !ok) {
+            out.problem = ok.error();
+            return out;
+        }
+    }
+    if (!options.templateId.empty() && library.find(options.templateId) < 0) {
+        out.problem = Error{Errc::UnknownTemplate,
+                            "There is no template \"" + options.templateId + "\" in the library.",
+                            {}};
+        return out;
+    }
+    if (options.operation == Operation::Split) {
+        if (!options.bodies.empty()) return readCuttingPlane(strokes, options);
+        out.problem = Error{Errc::OperationImpossible, "There is no solid to cut in two.", {}};
+        return out;
+    }
+    Interpretation reading = readDrawing(strokes, library, options);
+    const ReadAgain again = [&](const std::vector<Stroke>& changed) {
+        return readDrawing(changed, library, options);
+    };
+    findCause(strokes, library, options, again, reading);
+    return reading;
 }
 
 }  // namespace ew

@@ -270,6 +270,21 @@ class CutCleaner {
     std::vector<double> arc_;
 };
 
+/// How many pairs of straight pieces that do not follow one another cross.
+std::size_t crossingsOf(const std::vector<Segment>& segments) {
+    std::size_t count = 0;
+    const auto apart = [](const Segment& s, const Segment& other) {
+        const Vec2 d = s.b - s.a;
+        return cross2(d, other.a - s.a) * cross2(d, other.b - s.a) < 0.0;
+    };
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        for (std::size_t k = i + 2; k < segments.size(); ++k) {
+            count += apart(segments[i], segments[k]) && apart(segments[k], segments[i]) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
 bool isScribble(const std::vector<Vec2>& nodes, const std::vector<std::size_t>& cuts,
                 const std::vector<Segment>& segments, double distancePx) {
     const double length = pathLength(nodes);
@@ -288,6 +303,8 @@ bool isScribble(const std::vector<Vec2>& nodes, const std::vector<std::size_t>& 
     if (rms > 0.6 * distancePx) return true;
     if (cuts.size() > 36) return true;
     if (segments.size() >= 7 && median < 1.4 * distancePx) return true;
+    // A solid with its hidden lines drawn in one stroke crosses itself a few times.
+    if (segments.size() >= 8 && crossingsOf(segments) > segments.size()) return true;
     return segments.size() >= 5 && length > 14.0 * diagonal;
 }
 

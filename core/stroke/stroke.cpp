@@ -24,4 +24,17 @@ Result<void> validateStroke(const Stroke& stroke) {
     return {};
 }
 
+Stroke straightStroke(const Vec2& from, const Vec2& to) {
+    constexpr double kStepPx = 6.0;
+    constexpr double kMostSteps = 1000.0;
+    const double steps = std::clamp(std::ceil((to - from).norm() / kStepPx), 1.0, kMostSteps);
+    Stroke stroke;
+    for (double k = 0.0; k <= steps; k += 1.0) {
+        PenSample sample;
+        sample.position = from + (to - from) * (k / steps);
+        stroke.samples.push_back(sample);
+    }
+    return stroke;
+}
+
 }  // namespace ew

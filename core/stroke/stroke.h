@@ -37,4 +37,7 @@ inline constexpr double kMaxCoordinatePx = 1e6;
 /// in the message), Errc::TooManyPoints, Errc::EmptySketch for no sample at all.
 Result<void> validateStroke(const Stroke& stroke);
 
+/// A stroke as a steady hand draws a straight line: a sample every 6 px or so, no times.
+Stroke straightStroke(const Vec2& from, const Vec2& to);
+
 }  // namespace ew

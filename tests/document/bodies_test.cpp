@@ -359,5 +359,15 @@ TEST(Bodies, ScriptsWithBadBodiesAreRefused) {
     EXPECT_EQ(fakeDocument()->deleteBody(0).error().code, Errc::NoSolid);
 }
 
+TEST(Bodies, AFaceOfAHiddenSolidIsPulledByAScriptToo) {
+    const auto d = boxes(1);
+    ASSERT_TRUE(d->showBody(0, false));
+    ASSERT_TRUE(d->pull({FaceRef{0, 0}, 2.0, PullWalls::Follow}));
+    const auto again = fakeDocument();
+    const ReplayReport report = replay(*again, d->recordedScript(), {});
+    ASSERT_EQ(report.firstFailure(), nullptr) << report.firstFailure()->error->message;
+    EXPECT_TRUE(identicalStates(d->state(), again->state()));
+}
+
 }  // namespace
 }  // namespace ew

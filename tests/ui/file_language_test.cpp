@@ -154,20 +154,21 @@ TEST_F(German, StepsThatAreLeftOutHaveGermanNames) {
 
 TEST(Language, EveryStepOfScriptsHasAName) {
     std::set<std::string> words(std::begin(kStepWords), std::end(kStepWords));
-    for (const ScriptStep& step : {ScriptStep(CameraStep{}),         ScriptStep(ThresholdsStep{}),
-                                   ScriptStep(StrokeStep{}),         ScriptStep(EraseStep{}),
-                                   ScriptStep(ClearStep{}),          ScriptStep(ApplyStep{}),
-                                   ScriptStep(FilletStep{}),         ScriptStep(SharpenStep{}),
-                                   ScriptStep(CreaseStep{}),         ScriptStep(SubdivideStep{}),
-                                   ScriptStep(MapStrokesStep{}),     ScriptStep(UnmapStrokesStep{}),
-                                   ScriptStep(DefineTemplateStep{}), ScriptStep(DeleteSolidStep{}),
-                                   ScriptStep(UndoStep{}),           ScriptStep(RedoStep{}),
-                                   ScriptStep(SaveStep{}),           ScriptStep(OpenStep{}),
-                                   ScriptStep(ExportStep{}),         ScriptStep(NameStep{}),
-                                   ScriptStep(CompactStep{}),        ScriptStep(PullStep{}),
-                                   ScriptStep(MoveBodyStep{}),       ScriptStep(NameBodyStep{}),
-                                   ScriptStep(ShowBodyStep{}),       ScriptStep(DeleteBodyStep{}),
-                                   ScriptStep(CombineBodiesStep{})}) {
+    for (const ScriptStep& step :
+         {ScriptStep(CameraStep{}),         ScriptStep(ThresholdsStep{}),
+          ScriptStep(StrokeStep{}),         ScriptStep(EraseStep{}),
+          ScriptStep(ClearStep{}),          ScriptStep(ApplyStep{}),
+          ScriptStep(FilletStep{}),         ScriptStep(SharpenStep{}),
+          ScriptStep(CreaseStep{}),         ScriptStep(SubdivideStep{}),
+          ScriptStep(MapStrokesStep{}),     ScriptStep(UnmapStrokesStep{}),
+          ScriptStep(DefineTemplateStep{}), ScriptStep(DeleteSolidStep{}),
+          ScriptStep(UndoStep{}),           ScriptStep(RedoStep{}),
+          ScriptStep(SaveStep{}),           ScriptStep(OpenStep{}),
+          ScriptStep(ExportStep{}),         ScriptStep(NameStep{}),
+          ScriptStep(CompactStep{}),        ScriptStep(PullStep{}),
+          ScriptStep(MoveBodyStep{}),       ScriptStep(NameBodyStep{}),
+          ScriptStep(ShowBodyStep{}),       ScriptStep(DeleteBodyStep{}),
+          ScriptStep(CombineBodiesStep{}),  ScriptStep(MirrorPlaneStep{})}) {
         words.erase(std::string(stepName(step)));
     }
     EXPECT_EQ(words, std::set<std::string>{"begin"});

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include "ui/actions/mirror_actions.h"
 #include "ui/apply_controller.h"
 #include "ui/core_text.h"
 #include "ui/dialogs/template_dialog.h"
@@ -21,6 +22,7 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
       applyAction(new QAction(themedIcon("apply"), tr("&Apply"), this)),
       automaticAction(
           new QAction(themedIcon("automatic"), tr("Apply by &itself when clear"), this)),
+      levelAction(new QAction(tr("Set new solids &level"), this)),
       context_(context),
       window_(window),
       templateAction_(
@@ -33,6 +35,12 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
     automaticAction->setShortcut(QKeySequence(QStringLiteral("A")));
     automaticAction->setToolTip(
         tr("Make a solid without asking when one reading is clearly the best (A)"));
+    levelAction->setCheckable(true);
+    levelAction->setChecked(context_.apply.level());
+    levelAction->setToolTip(
+        tr("A new solid that leans by no more than the angle threshold is turned upright and "
+           "stands on the ground"));
+    connect(levelAction, &QAction::toggled, &context_.apply, &ApplyController::setLevel);
     connect(applyAction, &QAction::triggered, &context_.apply, &ApplyController::apply);
     connect(automaticAction, &QAction::toggled, &context_.apply, &ApplyController::setAutomatic);
     connect(&context_.apply, &ApplyController::automaticChanged, automaticAction,
@@ -69,6 +77,8 @@ bool SketchActions::eventFilter(QObject* watched, QEvent* event) {
 void SketchActions::fill(QMenu* menu) {
     menu->addAction(applyAction);
     menu->addAction(automaticAction);
+    menu->addAction(levelAction);
+    (new MirrorActions(context_, window_))->fill(menu);
     menu->addSeparator();
     menu->addActions(readingActions);
     menu->addSeparator();

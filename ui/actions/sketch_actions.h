@@ -24,6 +24,7 @@ class SketchActions : public QObject {
 
     QAction* applyAction;
     QAction* automaticAction;
+    QAction* levelAction;
     QList<QAction*> readingActions;  ///< keys 1 to 9
 
   protected:

@@ -91,6 +91,9 @@ QString surfaceHelp() {
                  {Help::tr("Several solids"),
                   Help::tr("the Solids panel shows, hides, names, moves, copies, joins and deletes "
                            "them")},
+                 {Help::tr("Both sides at once"),
+                  Help::tr("Sketch, Mirror plane: what you draw, pull and round is done on both "
+                           "sides of it")},
                  {Help::tr("Draw on it"),
                   Help::tr("B: every stroke goes onto the surface; Ctrl+M maps what is drawn "
                            "already")}});

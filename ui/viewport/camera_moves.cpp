@@ -16,6 +16,28 @@ constexpr double kFitShare = 0.62;  // of the viewport, so that there is room to
 
 }  // namespace
 
+namespace {
+
+/// A camera that leans to one side, as one that a solid was turned level with, comes upright while
+/// it is turned: the lean fades over this way [px].
+constexpr double kRollFadesPx = 120.0;
+
+Vec3 lessRolled(const Vec3& up, const Vec3& direction, double movedPx) {
+    const Vec3 z(0, 0, 1);
+    const Vec3 level = z - z.dot(direction) * direction;
+    // Straight down or up there is no upright.
+    if (level.norm() < 0.05) return up;
+    const Vec3 upright = level.normalized();
+    const double roll = std::atan2(upright.cross(up).dot(direction), upright.dot(up));
+    constexpr double kNone = 1e-6;
+    constexpr double kMost = 0.5 * std::numbers::pi;
+    if (std::abs(roll) < kNone || std::abs(roll) > kMost) return up;
+    const double left = std::clamp(1.0 - movedPx / kRollFadesPx, 0.0, 1.0);
+    return Eigen::AngleAxisd(roll * left, direction) * upright;
+}
+
+}  // namespace
+
 OrthographicCamera orbitCamera(const OrthographicCamera& camera, const Vec2& deltaPx,
                                const Vec3& pivot) {
     const Vec3 z(0, 0, 1);
@@ -30,6 +52,7 @@ OrthographicCamera orbitCamera(const OrthographicCamera& camera, const Vec2& del
     const Eigen::AngleAxisd tilt(tip, right);
     up = (tilt * up).normalized();
     direction = (tilt * direction).normalized();
+    up = lessRolled(up, direction, deltaPx.norm());
     const Mat3 before = camera.cameraToWorld();
     OrthographicCamera out = camera;
     out.direction = direction;

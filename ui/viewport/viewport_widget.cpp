@@ -15,6 +15,7 @@
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/frame_renderer.h"
 #include "ui/viewport/ink_layer.h"
+#include "ui/viewport/mirror_overlay.h"
 #include "ui/viewport/reading_overlay.h"
 #include "ui/viewport/scene.h"
 #include "ui/viewport/sketch_plane.h"
@@ -323,14 +324,18 @@ bool ViewportWidget::updateOverlay(const OrthographicCamera& view) {
     if (!d.overlayStale) return false;
     d.overlayStale = false;
     d.overlay.clear();
-    if (d.readingShown && anything) {
+    const auto& mirror = d.document.state().mirror;
+    const bool read = d.readingShown && anything;
+    if (read || mirror) {
         QPainter painter(&d.overlay.image());
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setFont(font());
+        const ThemeColours& colours = d.appearance.colours();
+        if (mirror) paintMirror(painter, *mirror, d.document.state().bodies, view, colours);
         ReadingOverlay shown{
             &d.reading.reading(),    d.reading.sketchCamera(), view,
             d.document.thresholds(), d.reading.current(),      d.reading.settled()};
-        paintReading(painter, shown, d.appearance.colours(), rect());
+        if (read) paintReading(painter, shown, colours, rect());
         painter.end();
         d.overlay.touchContent();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/explain/diagnose.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,13 +23,11 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
     return n == 1 ? "one " + one : std::to_string(n) + " " + many;
 }
 
-std::vector<int> degrees(const EdgeGraph& g) {
-    std::vector<int> d(g.junctions.size(), 0);
-    for (const GraphEdge& e : g.edges) {
-        ++d[at(e.ends[0])];
-        ++d[at(e.ends[1])];
-    }
-    return d;
+/// The middle of what a line covers.
+Vec2 middleOf(const std::vector<Vec2>& polyline) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& p : polyline) box.extend(p);
+    return box.isEmpty() ? Vec2(Vec2::Zero()) : Vec2(box.center());
 }
 
 /// Junctions where two lines run straight through each other.
@@ -67,8 +66,10 @@ class Explainer {
             if (!openEnds()) nothingClosed();
         } else if (!f_.otherParts.empty()) {
             separateDrawings();
+        } else if (f_.slip != nullptr && !f_.leavesInk && !f_.blockedByOpenEnd) {
+            if (!openEnds()) slip();
         } else if (f_.candidates->empty() || f_.onlyOutlines || f_.blockedByOpenEnd) {
-            if (!openEnds() && !impossibleCorner() && !selfCrossing()) noMatch();
+            if (!openEnds() && !slip() && !selfCrossing()) noMatch();
         } else if (!f_.candidates->front().withinThresholds) {
             outsideThresholds();
         } else if (f_.ambiguous || f_.leavesInk || f_.accidental || f_.absurd || f_.twoFaces) {
@@ -177,7 +178,11 @@ class Explainer {
             // Where there are curves among lines, they are why.
             if (n.kind == NoiseKind::Curve && curves == 1) where.clear();
             if (curves > 0 && n.kind != NoiseKind::Curve) continue;
-            if (!n.polyline.empty()) where.push_back(n.polyline[n.polyline.size() / 2]);
+            if (n.kind == NoiseKind::Scribble) {
+                where.push_back(middleOf(n.polyline));
+            } else if (!n.polyline.empty()) {
+                where.push_back(n.polyline[n.polyline.size() / 2]);
+            }
         }
         const std::size_t lines = r_.graph.noise.size() - curves - scribbles - dots;
         if (lines > 0 && curves == 0) {
@@ -230,17 +235,68 @@ class Explainer {
                 std::move(where));
     }
 
-    bool impossibleCorner() {
-        if (!f_.impossibleCorner) return false;
-        const Vec2 p = *f_.impossibleCorner;
-        r_.culprits.push_back({Culprit::Kind::ImpossibleCorner, p, p,
-                               "no right-angled corner looks like this", -1, -1});
-        problem(Errc::ImpossibleCorner,
-                "This corner cannot be right-angled: at a Y all three angles must be over 90 "
-                "degrees, at an "
-                "arrow both inner angles under 90 with a sum over 90.",
-                {p});
+    /// One corner is wrong, and all else fits.
+    bool slip() {
+        if (f_.slip == nullptr) return false;
+        const Slip& slip = *f_.slip;
+        if (slip.code == Errc::ImpossibleCorner) {
+            r_.culprits.push_back({Culprit::Kind::ImpossibleCorner, slip.at, slip.at,
+                                   "no right-angled corner looks like this", -1, -1});
+            problem(Errc::ImpossibleCorner,
+                    "This corner cannot be right-angled: at a Y all three angles must be over 90 "
+                    "degrees, at an "
+                    "arrow both inner angles under 90 with a sum over 90.",
+                    {slip.at});
+        } else {
+            r_.culprits.push_back({Culprit::Kind::NotParallel, slip.at, slip.meant,
+                                   px((slip.meant - slip.at).norm()) + " out of place", -1, -1});
+            r_.repairs.push_back(cornerMoved(slip));
+            problem(Errc::NotParallel,
+                    "All but this corner fits " + withArticle(slip.templateName) + "; it is " +
+                        px((slip.meant - slip.at).norm()) + " from where it would be.",
+                    {slip.at});
+        }
+        if (!f_.candidates->empty() && f_.candidates->front().withinThresholds) {
+            useCandidate(0, "Take the " + f_.candidates->front().candidate.templateName);
+        }
         return true;
+    }
+
+    /// The lines at a corner, drawn again to where it is meant to be.
+    Repair cornerMoved(const Slip& slip) const {
+        int junction = -1;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < r_.graph.junctions.size(); ++j) {
+            const double off = (r_.graph.junctions[j].position - slip.at).norm();
+            if (off >= nearest) continue;
+            nearest = off;
+            junction = static_cast<int>(j);
+        }
+        std::set<int> strokes;
+        for (const GraphEdge& e : r_.graph.edges) {
+            if (e.ends[0] == junction || e.ends[1] == junction) {
+                strokes.insert(e.strokes.begin(), e.strokes.end());
+            }
+        }
+        Repair redraw;
+        redraw.kind = Repair::Kind::Redraw;
+        redraw.label = "Move this corner";
+        redraw.from = slip.at;
+        redraw.to = slip.meant;
+        redraw.strokes.assign(strokes.begin(), strokes.end());
+        for (const GraphEdge& e : r_.graph.edges) {
+            const bool gone = std::any_of(e.strokes.begin(), e.strokes.end(),
+                                          [&](int s) { return strokes.contains(s); });
+            if (!gone) continue;
+            std::array<Vec2, 2> line;
+            for (std::size_t side = 0; side < 2; ++side) {
+                line[side] = e.ends[side] == junction
+                                 ? slip.meant
+                                 : r_.graph.junctions[at(e.ends[side])].position;
+            }
+            redraw.lines.push_back(line);
+        }
+        return redraw;
     }
 
     bool selfCrossing() {
@@ -381,71 +437,13 @@ class Explainer {
         problem(Errc::NoMatch, message, std::move(where));
     }
 
-    /// An aspect, and how far its corners are from those drawn.
-    struct Similar {
-        double off = 0.0;
-        const LibraryEntry* entry = nullptr;
-        const Aspect* aspect = nullptr;
-        std::array<int, 6> degrees{};  ///< corners by how many lines meet there
-    };
-    static constexpr std::size_t kMostCompared = 6;
-
     void nearest() {
-        if (r_.graph.empty()) return;
-        auto histogram = [](const std::vector<int>& d) {
-            std::array<int, 6> h{};
-            for (const int x : d) ++h[at(std::min(x, 5))];
-            return h;
-        };
-        std::vector<int> mine = degrees(r_.graph);
-        // A line with an open end is one that is drawn.
-        for (const DanglingEdge& d : r_.graph.dangling) {
-            if (d.junction >= 0) ++mine[at(d.junction)];
-            mine.push_back(2);
-        }
-        const auto ours = histogram(mine);
-        const std::size_t linesDrawn = r_.graph.edges.size() + r_.graph.dangling.size();
-        std::vector<Similar> similar;
-        for (const auto& entry : library_.index().entries) {
-            for (const Aspect& a : entry->aspects) {
-                if (a.edgeOn) continue;  // fits little ink, and is a question at best
-                std::vector<int> d(a.vertex.size(), 0);
-                for (const auto& e : a.graph.edges) {
-                    ++d[at(e[0])];
-                    ++d[at(e[1])];
-                }
-                const auto theirs = histogram(d);
-                double off = 0;
-                for (std::size_t i = 0; i < ours.size(); ++i) off += std::abs(ours[i] - theirs[i]);
-                const auto count = [](std::size_t n) { return static_cast<double>(n); };
-                off += 0.5 * std::abs(count(a.graph.edges.size()) - count(linesDrawn)) +
-                       0.5 * std::abs(count(a.vertex.size()) - count(mine.size()));
-                similar.push_back({off, entry.get(), &a, theirs});
-            }
-        }
-        std::stable_sort(similar.begin(), similar.end(),
-                         [](const Similar& a, const Similar& b) { return a.off < b.off; });
-        if (similar.size() > kMostCompared) similar.resize(kMostCompared);
-        tellNearest(similar);
-    }
-
-    /// Of aspects with much the same corners, the one that differs by the fewest lines.
-    void tellNearest(const std::vector<Similar>& similar) {
-        std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        double offPx = 0.0;
-        for (const Similar& s : similar) {
-            auto d = compare(r_.graph, *s.entry, *s.aspect, options_.thresholds.distancePx);
-            if (!d) continue;
-            const std::size_t lines =
-                d->missing.size() + d->extra.size() + static_cast<std::size_t>(d->strays);
-            if (lines > fewest || (lines == fewest && d->offPx >= offPx)) continue;
-            fewest = lines;
-            offPx = d->offPx;
-            r_.nearest = NearestTemplate{s.entry->tmpl.id, s.entry->tmpl.name, s.aspect->name,
-                                         std::move(d->missing), std::move(d->extra)};
-            nearestDegrees_ = s.degrees;
-            difference_ = tellDifference(r_.nearest->missing.size(), r_.nearest->extra.size());
-        }
+        if (r_.nearest || r_.graph.empty()) return;
+        auto found = nearestTemplate(r_.graph, library_, options_.thresholds.distancePx);
+        if (!found) return;
+        r_.nearest = std::move(found->shown);
+        nearestDegrees_ = found->degrees;
+        difference_ = tellDifference(r_.nearest->missing.size(), r_.nearest->extra.size());
     }
 
     static std::string tellDifference(std::size_t missing, std::size_t extra) {
@@ -460,7 +458,7 @@ class Explainer {
     /// Corners of a degree that the nearest template has fewer of.
     void markBadJunctions() {
         if (!r_.nearest) return;
-        const std::vector<int> mine = degrees(r_.graph);
+        const std::vector<int> mine = junctionDegrees(r_.graph);
         std::array<int, 6> left = nearestDegrees_;
         for (std::size_t j = 0; j < mine.size(); ++j) {
             if (--left[at(std::min(mine[j], 5))] >= 0) continue;

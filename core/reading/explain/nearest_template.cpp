@@ -290,4 +290,86 @@ std::optional<AspectDifference> compare(const EdgeGraph& graph, const LibraryEnt
     return Laying(drawn, entry, aspect).difference(graph.edges.size());
 }
 
+std::vector<int> junctionDegrees(const EdgeGraph& graph) {
+    std::vector<int> degrees(graph.junctions.size(), 0);
+    for (const GraphEdge& e : graph.edges) {
+        ++degrees[at(e.ends[0])];
+        ++degrees[at(e.ends[1])];
+    }
+    return degrees;
+}
+
+namespace {
+
+/// An aspect, and how far its corners are from those drawn.
+struct Similar {
+    double off = 0.0;
+    const LibraryEntry* entry = nullptr;
+    const Aspect* aspect = nullptr;
+    std::array<int, 6> degrees{};
+};
+constexpr std::size_t kMostCompared = 6;
+
+std::array<int, 6> histogram(const std::vector<int>& degrees) {
+    std::array<int, 6> h{};
+    for (const int d : degrees) ++h[at(std::min(d, 5))];
+    return h;
+}
+
+std::vector<Similar> similarAspects(const EdgeGraph& graph, const TemplateLibrary& library) {
+    std::vector<int> mine = junctionDegrees(graph);
+    // A line with an open end is one that is drawn.
+    for (const DanglingEdge& d : graph.dangling) {
+        if (d.junction >= 0) ++mine[at(d.junction)];
+        mine.push_back(2);
+    }
+    const auto ours = histogram(mine);
+    const auto linesDrawn = static_cast<double>(graph.edges.size() + graph.dangling.size());
+    std::vector<Similar> similar;
+    for (const auto& entry : library.index().entries) {
+        for (const Aspect& a : entry->aspects) {
+            if (a.edgeOn) continue;  // fits little ink, and is a question at best
+            std::vector<int> d(a.vertex.size(), 0);
+            for (const auto& e : a.graph.edges) {
+                ++d[at(e[0])];
+                ++d[at(e[1])];
+            }
+            const auto theirs = histogram(d);
+            double off = 0;
+            for (std::size_t i = 0; i < ours.size(); ++i) off += std::abs(ours[i] - theirs[i]);
+            off += 0.5 * std::abs(static_cast<double>(a.graph.edges.size()) - linesDrawn) +
+                   0.5 * std::abs(static_cast<double>(a.vertex.size()) -
+                                  static_cast<double>(mine.size()));
+            similar.push_back({off, entry.get(), &a, theirs});
+        }
+    }
+    std::stable_sort(similar.begin(), similar.end(),
+                     [](const Similar& a, const Similar& b) { return a.off < b.off; });
+    if (similar.size() > kMostCompared) similar.resize(kMostCompared);
+    return similar;
+}
+
+}  // namespace
+
+std::optional<Nearest> nearestTemplate(const EdgeGraph& graph, const TemplateLibrary& library,
+                                       double distancePx) {
+    std::optional<Nearest> best;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    double offPx = 0.0;
+    for (const Similar& s : similarAspects(graph, library)) {
+        auto d = compare(graph, *s.entry, *s.aspect, distancePx);
+        if (!d) continue;
+        const std::size_t lines =
+            d->missing.size() + d->extra.size() + static_cast<std::size_t>(d->strays);
+        if (lines > fewest || (lines == fewest && d->offPx >= offPx)) continue;
+        fewest = lines;
+        offPx = d->offPx;
+        best = Nearest{{s.entry->tmpl.id, s.entry->tmpl.name, s.aspect->name, std::move(d->missing),
+                        std::move(d->extra)},
+                       s.degrees,
+                       d->strays};
+    }
+    return best;
+}
+
 }  // namespace ew

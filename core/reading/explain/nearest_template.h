@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/edge_graph/edge_graph.h"
+#include "core/reading/types/interpretation.h"
 #include "core/tlib/library_index.h"
 
 namespace ew {
@@ -25,5 +26,21 @@ struct AspectDifference {
 /// \pre the graph has edges.
 std::optional<AspectDifference> compare(const EdgeGraph& graph, const LibraryEntry& entry,
                                         const Aspect& aspect, double distancePx);
+
+/// The template that a drawing is nearest to.
+struct Nearest {
+    NearestTemplate shown;
+    std::array<int, 6> degrees{};  ///< corners of its aspect by how many lines meet there, 5: more
+    int strays = 0;                ///< lines with an open end that it does not show
+};
+
+/// Of the aspects with much the same corners, the one that differs by the fewest lines. Nothing
+/// where none has much in common with the drawing. Cost: that of a few compare().
+/// \pre the graph has edges.
+std::optional<Nearest> nearestTemplate(const EdgeGraph& graph, const TemplateLibrary& library,
+                                       double distancePx);
+
+/// How many lines meet at each junction.
+std::vector<int> junctionDegrees(const EdgeGraph& graph);
 
 }  // namespace ew

@@ -12,6 +12,7 @@
 #include "core/edge_graph/edit.h"
 #include "core/edge_graph/repair.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/evidence/ink_extent.h"
 #include "core/reading/evidence/reading_price.h"
 #include "core/reading/evidence/reading_tolerances.h"
 #include "core/reading/explain/diagnose.h"
@@ -20,6 +21,7 @@
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/graph_reading.h"
 #include "core/reading/score/ink_shares.h"
+#include "core/reading/score/probability.h"
 #include "core/reading/score/rivals.h"
 #include "core/reading/types/reading_params.h"
 #include "core/tlib/matcher.h"
@@ -136,13 +138,21 @@ class Pipeline {
     void addReadings(GraphReading& r, const GraphMatch& match, bool interrupted = false) {
         context_.worthCost = worthCost_ - r.price;
         const auto graph = std::make_shared<const EdgeGraph>(r.graph);
-        for (RatedCandidate& c : readingsOf(r.graph, match, context_, r.impossibleCorner)) {
+        const std::size_t slipsBefore = r.slips.size();
+        std::vector<RatedCandidate> read = readingsOf(r.graph, match, context_, r.slips);
+        const double usual = isBox(*match.entry) ? 0.0 : tol::kBoxesAreUsual;
+        for (std::size_t i = slipsBefore; i < r.slips.size(); ++i) {
+            r.slips[i].cost += r.price + usual;
+        }
+        for (RatedCandidate& c : read) {
             c.candidate.extraEdges = r.extraEdges;
             c.interrupted = interrupted || match.aspect->edgeOn;
             c.graph = graph;
-            if (!isBox(*c.entry)) c.cost += tol::kBoxesAreUsual;
+            c.cost += usual;
             if (match.aspect->edgeOn) c.cost += params::kEdgeOnCost;
-            c.cost += r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
+            c.candidate.evidence.stray =
+                r.price + std::max(0.0, unexplainedPrice(c) - r.strayPrice);
+            c.cost += c.candidate.evidence.stray;
             if (r.extraEdges > 0) c.candidate.notes.emplace_back("One line too many was left out.");
             if (c.withinThresholds)
                 worthCost_ = std::min(worthCost_, c.cost + 2 * tol::kClearMargin);
@@ -386,7 +396,6 @@ class Pipeline {
         Findings findings;
         findings.onlyOutlines = nothing && !best.candidates.empty();
         findings.candidates = &best.candidates;
-        findings.impossibleCorner = best.impossibleCorner;
         findings.otherParts = best.otherParts;
         findings.ambiguous = best.ambiguous;
         findings.blockedByOpenEnd = blocked;
@@ -398,6 +407,9 @@ class Pipeline {
         for (const RatedCandidate& c : best.candidates) {
             if (static_cast<int>(out.candidates.size()) >= options_.maxCandidates) break;
             out.candidates.push_back(c.candidate);
+            Evidence& evidence = out.candidates.back().evidence;
+            evidence.prior = 0.0;
+            evidence.prior = c.cost - evidence.cost();
             out.candidates.back().unusedStrokes = strokesBeside(ink_, c, meantPx(c), distance);
             const double off = c.candidate.residualPx / distance;
             const double quality = std::exp(-2.0 * off * off) *
@@ -408,6 +420,12 @@ class Pipeline {
                     : std::min(quality, out.candidates.front().score *
                                             std::exp(-std::max(0.0, c.cost - least) / 30.0));
         }
+        findings.slip = likeliestSlip(readings_, best, inkLengthPx(ink_));
+        if (findings.slip != nullptr) best.clear = false;
+        out.slip = likeliestSlip(readings_, best, inkLengthPx(ink_), true) != nullptr;
+        tellProbabilities(out.candidates, out.graph.edges.size(),
+                          findings.slip == nullptr ? std::numeric_limits<double>::infinity()
+                                                   : findings.slip->cost);
         if (best.clear && leavesTooMuch(best.candidates.front())) {
             best.clear = false;
             findings.leavesInk = true;

@@ -13,11 +13,14 @@
 #include "core/edge_graph/canonical.h"
 #include "core/reading/evidence/accidental.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/evidence/ink_extent.h"
 #include "core/reading/extract/joint_graph.h"
 #include "core/reading/overlay/box_on_solid.h"
 #include "core/reading/propose/cracking.h"
 #include "core/reading/propose/ink_on_solid.h"
 #include "core/reading/propose/placement.h"
+#include "core/reading/propose/placement_price.h"
+#include "core/reading/score/probability.h"
 #include "core/reading/solve/general_fit.h"
 #include "core/reading/types/reading_params.h"
 #include "core/solid/boolean.h"
@@ -40,9 +43,8 @@ struct Option {
     double leftOutPx = 0.0;  ///< ink that it does not explain
     bool plain = true;       ///< found among the model's directions
     std::optional<Solid> result;
-    std::vector<int>
-        cracked;            ///< faces of the solid that it meets although nothing was drawn there
-    bool adjusted = false;  ///< moved off one of those
+    std::vector<int> cracked;  ///< faces of the solid that it meets, not drawn on
+    bool adjusted = false;     ///< moved off one of those
 };
 
 class Modification {
@@ -362,10 +364,10 @@ class Modification {
         }
         r.graph = found_.front().reading.graph;
         for (std::size_t i = 0; i < found_.size(); ++i) r.candidates.push_back(candidate(i));
+        tellProbabilities(r.candidates, r.graph.edges.size());
         const Option& best = found_.front();
         const std::size_t rival = rivalOfBest();
-        double ink = 0;
-        for (const Segment& s : ink_.segments) ink += s.inkPx;
+        const double ink = inkLengthPx(ink_);
         // An unsteady hand's lines fit many bodies that turn freely.
         const bool likely =
             best.plain || noise_ < kSteadyPx || best.placement.parameters <= kFewParameters;
@@ -395,13 +397,14 @@ class Modification {
     Error whyNothing() const {
         if (out_.redraws) {
             return {Errc::NoChange,
-                    "These lines are edges of the solid already: nothing would change.", place()};
+                    "These lines are edges of the solid already: nothing would change.",
+                    firstInk(ink_)};
         }
         return {Errc::NoMatch,
-                "These lines and the edges that they meet show no template on the solid.", place()};
+                "These lines and the edges that they meet show no template on the solid.",
+                firstInk(ink_)};
     }
 
-    /// \param rival  see rivalOfBest().
     void explainChoice(std::size_t rival, bool accidental) {
         Interpretation& r = out_.interpretation;
         std::vector<std::size_t> choice{0};
@@ -423,16 +426,12 @@ class Modification {
             message = "Seen from here this could be " + names +
                       ", or something simpler; choose it, or turn the view and draw again.";
         }
-        r.problem = Error{Errc::Ambiguous, std::move(message), place()};
+        r.problem = Error{Errc::Ambiguous, std::move(message), firstInk(ink_)};
     }
 
     static std::string sentence(const Candidate& c) {
         return std::string(c.operation == Operation::Add ? "adding " : "cutting ") +
                withArticle(c.templateName);
-    }
-
-    std::vector<Vec2> place() const {
-        return ink_.segments.empty() ? std::vector<Vec2>{} : std::vector<Vec2>{ink_.segments[0].a};
     }
 
     Candidate candidate(std::size_t i) const {
@@ -456,6 +455,7 @@ class Modification {
         c.body = o.body;
         c.result = o.result;
         c.unusedStrokes = strokesBeside(ink_, o.placement, o.match, views_.at(o.body), distance_);
+        c.evidence = evidenceOf(o.placement, o.cost);
         const double off = c.residualPx / distance_;
         c.score = std::exp(-2.0 * off * off) *
                   (i == 0 ? 1.0 : std::exp(-std::max(0.0, o.cost - found_.front().cost) / 30.0));

@@ -44,4 +44,14 @@ int strangeDirections(const Placement& placement, const TemplateAnalysis& analys
     return static_cast<int>(std::count(strange.begin(), strange.end(), true));
 }
 
+Evidence evidenceOf(const Placement& placement, double cost) {
+    Evidence evidence;
+    evidence.fit = placement.misfit;
+    evidence.freedoms = tol::kFreedomCost * placement.parameters;
+    evidence.bare = tol::kUnseenPlaneCost * placement.open;
+    evidence.stray = std::max(0.0, cost - placement.cost);
+    evidence.prior = cost - evidence.cost();
+    return evidence;
+}
+
 }  // namespace ew

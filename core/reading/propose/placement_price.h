@@ -16,4 +16,8 @@ double misfitOf(const Sighting& sighting, const TemplateAnalysis& analysis,
 int strangeDirections(const Placement& placement, const TemplateAnalysis& analysis,
                       const ModelView& model);
 
+/// What a placement's cost is made of.
+/// \param cost  with what the drawing as a whole has to pay.
+Evidence evidenceOf(const Placement& placement, double cost);
+
 }  // namespace ew

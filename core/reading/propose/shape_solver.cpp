@@ -186,7 +186,8 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
                     .cost = f->cost,
                     .misfit = f->misfit,
                     .solid = *std::move(solid),
-                    .faint = isFaint(*f, h),
+                    .family = h.sides > 0,
+                    .faint = isFaint(*f, h, drawing),
                     .exact = isExact(),
                     .lift = h.lift};
     // A careful hand's lines lie where the picture has them, but for what the fit itself
@@ -195,8 +196,12 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
     const double near = std::min(options_.thresholds.distancePx,
                                  params::kLeastBesidePx + 3.0 * noise_ + 2.0 * missed);
     out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near);
-    out.cost += params::kStrayCost * (out.evidence.strayPx + out.evidence.barePx) /
-                options_.thresholds.distancePx;
+    Evidence& told = out.candidate.evidence;
+    told.freedoms = params::kFreedomCost * f->model.freedoms();
+    told.fit = f->misfit * static_cast<double>(drawing.nodes.size());
+    told.stray = params::kStrayCost * out.evidence.strayPx / options_.thresholds.distancePx;
+    told.bare = params::kStrayCost * out.evidence.barePx / options_.thresholds.distancePx;
+    out.cost += told.stray + told.bare;
     out.cost += h.price;
     if (isClosed(h)) {
         out.cost += params::kUnseenCornerCost *
@@ -208,8 +213,14 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
     return out;
 }
 
-/// Does some face that looks at the eye have a corner that may be the bend of one line?
-bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h) const {
+/// Does some face that looks at the eye have a corner that may be the bend of one line? Where a
+/// third line ends there is a corner.
+bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
+                          const LineDrawing& drawing) const {
+    const auto isSure = [&](int v) {
+        const int node = h.node[at(v)];
+        return node >= 0 && drawing.nodes[at(node)].out.size() > 2;
+    };
     for (const std::vector<int>& loop : h.rough.faces) {
         const std::size_t n = loop.size();
         const auto p = [&](std::size_t k) -> Vec2 { return f.camera[at(loop[k % n])].head<2>(); };
@@ -218,6 +229,7 @@ bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h) const {
         if (area >= 0.0) continue;  // looks away; y is down
         for (std::size_t k = 0; k < n; ++k) {
             const Vec2 chord = p(k + 2) - p(k);
+            if (isSure(loop[(k + 1) % n])) continue;
             const double height =
                 std::abs(cross2(chord, p(k + 1) - p(k))) / std::max(chord.norm(), 1e-6);
             if (height < params::kFaintCorner * spread_) return true;
@@ -287,8 +299,7 @@ const LibraryEntry* ShapeSolver::templateOf(const PlaneModel& model,
 }
 
 bool ShapeSolver::solveAll(const std::vector<ShapeHypothesis>& proposals,
-                           const LineDrawing& drawing, int lifts,
-                           std::vector<SolvedShape>& found) {
+                           const LineDrawing& drawing, int lifts, std::vector<SolvedShape>& found) {
     std::vector<Rough> rough;
     for (const ShapeHypothesis& h : proposals) {
         // An exact drawing is told by any proposal, also by one that is too many to be tried.

@@ -26,6 +26,7 @@ struct SolvedShape {
     double misfit = 0.0;  ///< PlaneFit::misfit
     Solid solid;
     bool known = false;    ///< is a template of the library
+    bool family = false;   ///< a prism, pyramid or frustum over a base that is seen
     bool guessed = false;  ///< a hole ends where nothing of it is seen
     bool faint = false;    ///< some corner of a seen face turns by no more than this hand errs
     bool exact = false;    ///< the drawing is an exact picture of some solid
@@ -73,7 +74,7 @@ class ShapeSolver {
     std::optional<double> exactSpread(const std::vector<Rough>& rough) const;
     std::optional<PlaneFit> fit(const ShapeHypothesis& h, const LineDrawing& drawing) const;
     std::optional<SolvedShape> solve(const ShapeHypothesis& h, const LineDrawing& drawing) const;
-    bool isFaint(const PlaneFit& f, const ShapeHypothesis& h) const;
+    bool isFaint(const PlaneFit& f, const ShapeHypothesis& h, const LineDrawing& drawing) const;
     void place(const PlaneFit& f, const ShapeHypothesis& h, Candidate& c) const;
     void describe(const ShapeHypothesis& h, const PlaneFit& f, SolvedShape& out) const;
     const LibraryEntry* templateOf(const PlaneModel& model, const PolyhedronSpec& spec) const;

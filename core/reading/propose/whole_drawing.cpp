@@ -17,6 +17,7 @@
 #include "core/reading/propose/pyramid_proposals.h"
 #include "core/reading/propose/shape_solver.h"
 #include "core/reading/propose/wire_proposals.h"
+#include "core/reading/score/probability.h"
 #include "core/reading/types/reading_params.h"
 
 namespace ew {
@@ -51,9 +52,12 @@ class WholeReader {
         for (SolvedShape& s : found) {
             if (s.graph != found.front().graph) s.candidate.junctionVertex.clear();
             s.candidate.junctionVertex.resize(out.graph.junctions.size(), -1);
+            Evidence& evidence = s.candidate.evidence;
+            evidence.prior = s.cost - evidence.cost();
             out.candidates.push_back(std::move(s.candidate));
             if (static_cast<int>(out.candidates.size()) == options_.maxCandidates) break;
         }
+        tellProbabilities(out.candidates, out.graph.edges.size());
         return out;
     }
 
@@ -200,14 +204,32 @@ class WholeReader {
         std::vector<SolvedShape> kept;
         for (SolvedShape& s : found) {
             const double same = s.exact ? params::kSameExactVolume : params::kSameVolume;
-            const bool known = std::any_of(kept.begin(), kept.end(), [&](const SolvedShape& k) {
-                return k.solid.vertices().size() == s.solid.vertices().size() &&
-                       k.solid.edges().size() == s.solid.edges().size() &&
-                       std::abs(k.solid.volume() / s.solid.volume() - 1.0) < same;
+            const auto alike = std::find_if(kept.begin(), kept.end(), [&](const SolvedShape& k) {
+                const bool counts = k.solid.vertices().size() == s.solid.vertices().size() &&
+                                    k.solid.edges().size() == s.solid.edges().size();
+                const bool volume = std::abs(k.solid.volume() / s.solid.volume() - 1.0) < same;
+                return counts && (volume || isPlainer(s, k));
             });
-            if (!known) kept.push_back(std::move(s));
+            if (alike == kept.end()) {
+                kept.push_back(std::move(s));
+            } else if (isPlainer(s, *alike)) {
+                s.cost = alike->cost;
+                *alike = std::move(s);
+            }
         }
         found = std::move(kept);
+    }
+
+    /// Is the one of a family, where the other one is no more than a solid that looks like it?
+    static bool isPlainer(const SolvedShape& s, const SolvedShape& than) {
+        return s.family && !than.family && s.explains() && !s.exact &&
+               s.cost < than.cost + params::kWholeMargin;
+    }
+
+    /// A prism, pyramid or frustum that has every line and all of the ink.
+    static bool isSure(const SolvedShape& s) {
+        return s.family && s.misfit <= params::kSureMisfit &&
+               s.evidence.residue() <= params::kSureResidue;
     }
 
     /// Do two readings differ in what is not seen alone?
@@ -219,18 +241,20 @@ class WholeReader {
     bool isClear(const std::vector<SolvedShape>& found) const {
         if (found.front().evidence.residue() > params::kWholeResidue) return false;
         if (found.front().misfit > params::kWholeMisfit) return false;
-        if (found.front().faint) return false;
-        // An unsteady hand's few lines fit many solids.
+        // An unsteady hand's few lines fit many solids, and a corner that hardly stands out may be
+        // none: what is of no family is not taken then, and of a family what is far from others.
         const bool unsteady = endSpread(ink_.segments, options_.thresholds.distancePx) >
                               kUnsteadySpread * options_.thresholds.distancePx;
-        if (unsteady && !found.front().known && found.front().graph->edges.size() < kManyLines) {
-            return false;
-        }
+        const bool few =
+            unsteady && !found.front().known && found.front().graph->edges.size() < kManyLines;
+        const bool doubtful = few || found.front().faint;
+        if (doubtful && !isSure(found.front())) return false;
         if (found.front().guessed) return false;
         return std::none_of(found.begin() + 1, found.end(), [&](const SolvedShape& other) {
             double margin = params::kWholeMargin;
             if (found.front().exact) margin = params::kExactMargin;
             if (looksAlike(found.front(), other)) margin = params::kCompletionMargin;
+            if (doubtful) margin *= params::kDoubtfulMargins;
             return other.evidence.residue() <= params::kOtherResidue &&
                    other.cost < found.front().cost + margin;
         });

@@ -8,6 +8,7 @@
 
 #include "core/base/tolerance.h"
 #include "core/reading/evidence/hand_noise.h"
+#include "core/reading/evidence/ink_extent.h"
 #include "core/reading/solve/body_frame.h"
 #include "core/reading/solve/general_fit.h"
 #include "core/reading/solve/perspective_fit.h"
@@ -20,35 +21,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double kRadian = 180.0 / std::numbers::pi;
-
-/// How far line ends are from the projected edges.
-struct Misfit {
-    double perEnd = 0.0;  ///< squared distance over its variance, on average
-    double cost = 0.0;    ///< twice the negative log-likelihood
-};
-
-/// What a hand explains of it: ends that miss the corner, and corners that are not where they are
-/// meant to be. The tails are Student's, so that one slip, or a hand that is worse than it looks,
-/// does not make a freer shape out of a plain one.
-Misfit misfitOf(const Sighting& s, const TemplateAnalysis& analysis, const CameraPoints& points,
-                double noisePx, double cornerPx) {
-    const double variance = noisePx * noisePx + cornerPx * cornerPx;
-    constexpr double kNu = params::kTailFreedoms;
-    Misfit sum;
-    for (const DrawnEdge& d : s.edges) {
-        const auto& ends = analysis.edges[at(d.edge)].ends;
-        const Vec2 a = points[at(ends[0])].head<2>();
-        const Vec2 u = points[at(ends[1])].head<2>() - a;
-        const double len = std::max(u.norm(), 1e-9);
-        for (const Vec2& tip : d.tips) {
-            const double off = cross2(u, tip - a) / len;
-            sum.perEnd += off * off / variance;
-            sum.cost += (kNu + 1.0) * std::log1p(off * off / variance / kNu);
-        }
-    }
-    sum.perEnd /= static_cast<double>(2 * s.edges.size());
-    return sum;
-}
 
 class Reader {
   public:
@@ -63,9 +35,9 @@ class Reader {
         sighting_.doubt = std::clamp(noisePx_ - tol::kNoiseFloorPx, 0.0, 1.0);
     }
 
-    std::vector<RatedCandidate> run(std::optional<Vec2>& impossibleCorner) {
+    std::vector<RatedCandidate> run(std::vector<Slip>& slips) {
         if (entry_.analysis.rectilinear) {
-            rectilinear(impossibleCorner);
+            rectilinear(slips);
         } else {
             general();
         }
@@ -142,6 +114,9 @@ class Reader {
         r.misfit = misfit.perEnd;
         r.cost = misfit.cost + params::kFreedomCost * parameters +
                  tol::kMissingEdgeCost * match_.missingEdges;
+        c.evidence.fit = misfit.cost;
+        c.evidence.bare = tol::kMissingEdgeCost * match_.missingEdges;
+        c.evidence.freedoms = params::kFreedomCost * parameters;
         r.parallelDeg = match_.parallelDeg;
         r.parameters = parameters;
         r.withinThresholds = match_.parallelDeg <= options_.thresholds.angleDeg &&
@@ -208,14 +183,15 @@ class Reader {
         return out_.size() > before;
     }
 
-    void rectilinear(std::optional<Vec2>& impossibleCorner) {
+    void rectilinear(std::vector<Slip>& slips) {
         const auto picture = fitAffine(sighting_, entry_.analysis);
         if (!picture) return;
-        parallelViews(*picture, impossibleCorner);
+        parallelViews(*picture, slips);
+        noteMovedCorner(*picture, slips);
         perspective(*picture);
     }
 
-    void parallelViews(const AffinePicture& picture, std::optional<Vec2>& impossibleCorner) {
+    void parallelViews(const AffinePicture& picture, std::vector<Slip>& slips) {
         const RectilinearStructure& r = *entry_.analysis.rectilinear;
         const int parameters = 2 + r.planeCount[0] + r.planeCount[1] + r.planeCount[2];
         const CriticalAngle critical = criticalAngle(picture);
@@ -234,10 +210,13 @@ class Reader {
 
         double snapMoved = 0;
         if (!solved) {
+            // What is snapped or read obliquely is a guess; that no such corner exists is a fact.
+            if (match_.missingEdges == 0 && critical.offDeg > params::kSureAngle * spread) {
+                slips.push_back(impossible(picture, cornerPlace(critical), parameters));
+            }
             const AffinePicture snapped = snapToSolvable(picture, tol::kSnapMarginDeg, snapMoved);
             if (critical.offDeg + tol::kSnapMarginDeg > tol::kSnapLimitDeg ||
                 !addOrthographic(snapped, DepthRule::Snapped, parameters)) {
-                impossibleCorner = cornerPlace(critical);
                 if (critical.offDeg > 3 * tol::kUnreliableCornerDeg) return;
                 snapMoved = 1e9;
             } else {
@@ -348,19 +327,55 @@ class Reader {
         if (count > 0 && front / count > mean) body.axes[axis] = -body.axes[axis];
     }
 
+    /// Faces that are parallelograms, round a corner that cannot be right-angled.
+    Slip impossible(const AffinePicture& picture, const Vec2& corner, int parameters) const {
+        const Misfit misfit =
+            misfitOf(sighting_, entry_.analysis,
+                     picturePoints(picture, *entry_.analysis.rectilinear), noisePx_, cornerPx_);
+        const double cost = misfit.cost + params::kFreedomCost * parameters +
+                            tol::kMissingEdgeCost * match_.missingEdges +
+                            params::kImpossibleCornerCost;
+        return {Errc::ImpossibleCorner, corner,         corner,          cost,
+                misfit.perEnd,          entry_.tmpl.id, entry_.tmpl.name};
+    }
+
+    void noteMovedCorner(const AffinePicture& picture, std::vector<Slip>& slips) const {
+        // Who draws exactly means what he draws.
+        if (match_.missingEdges > 0 || noisePx_ <= params::kExactNoisePx) return;
+        const Misfit all =
+            misfitOf(sighting_, entry_.analysis,
+                     picturePoints(picture, *entry_.analysis.rectilinear), noisePx_, cornerPx_);
+        if (all.perEnd <= tol::kDoubtfulMisfit) return;  // none lies far off
+        const double least = std::max(params::kSlipLeast * options_.thresholds.distancePx,
+                                      params::kSlipSpreads * cornerPx_);
+        if (auto slip = movedCorner(sighting_, entry_, noisePx_, cornerPx_, least)) {
+            slips.push_back(*std::move(slip));
+        }
+    }
+
+    /// Where the two axes of the critical angle meet: best with the third one between them, as
+    /// people look at a corner.
     Vec2 cornerPlace(const CriticalAngle& critical) const {
-        // The junction where the two axes of the critical angle meet.
+        double best = -1.0;
+        Vec2 place = sighting_.edges.front().tips[0];
         for (std::size_t v = 0; v < sighting_.seen.size(); ++v) {
             if (!sighting_.seen[v]) continue;
-            int classes = 0;
+            int across = 0;
+            Vec2 pull = Vec2::Zero();  // small where lines leave to all sides
+            double count = 0.0;
             for (const DrawnEdge& d : sighting_.edges) {
-                if (d.vertex[0] != static_cast<int>(v) && d.vertex[1] != static_cast<int>(v))
-                    continue;
-                if (entry_.analysis.edges[at(d.edge)].directionClass != critical.axis) ++classes;
+                const bool first = d.vertex[0] == static_cast<int>(v);
+                if (!first && d.vertex[1] != static_cast<int>(v)) continue;
+                pull += first ? d.direction() : Vec2(-d.direction());
+                count += 1.0;
+                if (entry_.analysis.edges[at(d.edge)].directionClass != critical.axis) ++across;
             }
-            if (classes >= 2) return sighting_.vertexPx[v];
+            const double all = count - pull.norm() / std::max(1.0, count);
+            if (across < 2 || all <= best) continue;
+            best = all;
+            place = sighting_.vertexPx[v];
         }
-        return sighting_.edges.front().tips[0];
+        return place;
     }
 
     void general() {
@@ -440,9 +455,8 @@ double drawingNoisePx(const EdgeGraph& graph) {
 }
 
 double cornerSpread(const InkReading& ink, double distancePx, double noisePx) {
-    double length = 0;
-    for (const Segment& s : ink.segments) length += s.inkPx;
-    const double mean = length / std::max<double>(1.0, static_cast<double>(ink.segments.size()));
+    const double mean =
+        inkLengthPx(ink) / std::max<double>(1.0, static_cast<double>(ink.segments.size()));
     const double least = std::max(params::kCornerSpreadLeastPx, params::kCornerSpreadShare * mean);
     // What its ends miss each other by and its lines' noise does not explain.
     const double ends = endSpread(ink.segments, distancePx);
@@ -450,9 +464,8 @@ double cornerSpread(const InkReading& ink, double distancePx, double noisePx) {
 }
 
 std::vector<RatedCandidate> readingsOf(const EdgeGraph& graph, const GraphMatch& match,
-                                       const ReadingContext& context,
-                                       std::optional<Vec2>& impossibleCorner) {
-    return Reader(graph, match, context).run(impossibleCorner);
+                                       const ReadingContext& context, std::vector<Slip>& slips) {
+    return Reader(graph, match, context).run(slips);
 }
 
 void addNamedReadings(std::vector<RatedCandidate>& candidates, const ReadingContext& context) {

@@ -7,6 +7,7 @@
 
 #include "core/edge_graph/build.h"
 #include "core/reading/evidence/sighting.h"
+#include "core/reading/score/slips.h"
 #include "core/reading/types/interpretation.h"
 
 namespace ew {
@@ -51,12 +52,10 @@ struct ReadingContext {
 
 /// All readings of one match: for a rectilinear template the closed form, else snapped and oblique;
 /// for any other the general solver's most regular solid. Empty where no solid fits.
-/// \param impossibleCorner  receives the drawn corner that breaks Perkins' law where that was the
-///     reason.
+/// \param slips  receives what the drawing would be of, were it drawn right in one place.
 /// \paper{5.1}
 std::vector<RatedCandidate> readingsOf(const EdgeGraph& graph, const GraphMatch& match,
-                                       const ReadingContext& context,
-                                       std::optional<Vec2>& impossibleCorner);
+                                       const ReadingContext& context, std::vector<Slip>& slips);
 
 /// Adds the other readings that the best candidate's template names in its file (isosceles,
 /// right-angled, ...). They keep the cost order of the default with a small price each.

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/reading/evidence/ink_extent.h"
 #include "core/reading/evidence/stroke_shares.h"
 #include "core/solid/visibility.h"
 
@@ -68,7 +69,7 @@ class LineGrid {
 PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const Pose& pose,
                                 const OrthographicCamera& camera, double nearPx) {
     PictureEvidence out;
-    for (const Segment& s : ink.segments) out.inkPx += s.inkPx;
+    out.inkPx = inkLengthPx(ink);
     const auto view = SolidView::make(solid, pose, camera);
     if (!view) {
         out.strayPx = out.inkPx;

@@ -264,6 +264,15 @@ Vec2 AffinePicture::at(const RectilinearStructure& r, std::size_t vertex) const 
     return p;
 }
 
+CameraPoints picturePoints(const AffinePicture& picture, const RectilinearStructure& r) {
+    CameraPoints points;
+    for (std::size_t v = 0; v < r.planes[0].size(); ++v) {
+        const Vec2 p = picture.at(r, v);
+        points.emplace_back(p.x(), p.y(), 0.0);
+    }
+    return points;
+}
+
 std::optional<AffinePicture> fitAffine(const Sighting& sighting, const TemplateAnalysis& analysis) {
     return AffineFit(sighting, analysis).run();
 }

@@ -23,6 +23,9 @@ struct AffinePicture {
     Vec2 at(const RectilinearStructure& r, std::size_t vertex) const;
 };
 
+/// The picture of every vertex; no depths.
+CameraPoints picturePoints(const AffinePicture& picture, const RectilinearStructure& r);
+
 /// Fits the whole drawing first: least squares over all drawn line ends at once, each precise
 /// across its line and loose along it.
 /// \return nothing where the drawing does not determine the three axes.

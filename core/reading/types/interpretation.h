@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,17 @@ enum class DepthRule {
     Perspective,  ///< the drawing is what an eye at a finite distance sees
 };
 
+/// What speaks for and against a candidate, in units of twice a negative log-likelihood: the less,
+/// the better. Comparable within one way of reading (free space, change of a solid).
+struct Evidence {
+    double fit = 0.0;       ///< drawn line ends that miss the picture of its edges
+    double stray = 0.0;     ///< ink that it does not explain
+    double bare = 0.0;      ///< its edges that were not drawn
+    double freedoms = 0.0;  ///< what it could have been fitted with
+    double prior = 0.0;     ///< what is unusual about it; what is usual has none
+    double cost() const { return fit + stray + bare + freedoms + prior; }
+};
+
 /// One match with one interpretation, with the solid it makes.
 struct Candidate {
     std::string templateId;
@@ -37,31 +49,41 @@ struct Candidate {
     std::string readingId;    ///< "default", a TemplateReading's id, "oblique", "perspective"
     std::string readingName;  ///< shown to people
     double score = 0.0;       ///< 0..1, 1 is a perfect fit
-    double residualPx = 0.0;  ///< rms distance of junctions to the solid's projection
+    Evidence evidence;
+    double probability = 0.0;         ///< 0..1: that it is what was meant
+    double residualPx = 0.0;          ///< rms distance of junctions to the solid's projection
     std::vector<int> junctionVertex;  ///< per junction of the graph: template vertex or -1
     int missingEdges = 0;             ///< visible template edges that were not drawn
     int extraEdges = 0;               ///< graph edges left unexplained
     std::vector<std::string> notes;   ///< sentences: what was assumed, e.g. a closed freedom
     PolyhedronSpec spec;              ///< the solid, or what is added or cut; body frame [mm]
     Pose pose;                        ///< body frame -> world
-    int body = -1;                ///< Add, Cut, Split: which of InterpretOptions::bodies changes
-    std::optional<Solid> result;  ///< ... and what it becomes; of a Split the larger part
-    std::optional<Solid> rest;    ///< of a Split the smaller part
-    double obliqueFactor = 0.0;       ///< k, 0 unless depth == Oblique
-    std::vector<int> unusedStrokes;   ///< pending strokes that it does not explain: they stay
+    int body = -1;                   ///< Add, Cut, Split: which of InterpretOptions::bodies changes
+    std::optional<Solid> result;     ///< ... and what it becomes; of a Split the larger part
+    std::optional<Solid> rest;       ///< of a Split the smaller part
+    double obliqueFactor = 0.0;      ///< k, 0 unless depth == Oblique
+    std::vector<int> unusedStrokes;  ///< pending strokes that it does not explain: they stay
 };
 
 /// What a one-click repair would do to the pending strokes or the thresholds.
 struct Repair {
-    enum class Kind { JoinEnds, DropStrokes, RaiseDistance, RaiseAngle, UseCandidate };
+    enum class Kind {
+        JoinEnds,
+        DropStrokes,
+        Redraw,  ///< drops `strokes` and draws `lines` in their place
+        RaiseDistance,
+        RaiseAngle,
+        UseCandidate
+    };
     Kind kind = Kind::JoinEnds;
     std::string label;         ///< for the button, e.g. "Join these ends"
     Vec2 from = Vec2::Zero();  ///< JoinEnds: the tip [px]
     Vec2 to = Vec2::Zero();    ///< JoinEnds: where it goes [px]
     std::vector<int>
-        strokes;         ///< DropStrokes: pending stroke indices; JoinEnds: the stroke to extend
-    double value = 0.0;  ///< RaiseDistance [px], RaiseAngle [degrees]
-    int candidate = -1;  ///< UseCandidate
+        strokes;  ///< DropStrokes, Redraw: pending stroke indices; JoinEnds: the stroke to extend
+    std::vector<std::array<Vec2, 2>> lines;  ///< Redraw [px]
+    double value = 0.0;                      ///< RaiseDistance [px], RaiseAngle [degrees]
+    int candidate = -1;                      ///< UseCandidate
 };
 
 /// What is marked in the viewport and in the graph panel.
@@ -101,6 +123,7 @@ struct Interpretation {
     std::vector<Culprit> culprits;
     std::vector<Repair> repairs;
     std::optional<NearestTemplate> nearest;
+    bool slip = false;  ///< all but one corner is the picture of a plainer shape than any candidate
 };
 
 struct InterpretOptions {

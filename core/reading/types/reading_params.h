@@ -39,6 +39,27 @@ inline constexpr double kCarelessCorner = 0.28;
 /// more often than nearly-boxes.
 inline constexpr double kFreedomCost = 8.0;
 
+/// A drawing whose lines miss each other by no more than this is exact [px]: noise has a floor.
+inline constexpr double kExactNoisePx = 0.4;
+
+/// Price of one corner out of place, besides that its two coordinates are free.
+inline constexpr double kSlipCost = 4.0;
+/// How far out it is at least [distance thresholds; spreads of a drawn corner]: less is what hands
+/// do; and at most [times the least]: more is no slip.
+inline constexpr double kSlipLeast = 1.2;
+inline constexpr double kSlipSpreads = 8.0;
+inline constexpr double kSlipMost = 5.0;
+/// ... and the rest fits as well as this: Misfit::perEnd.
+inline constexpr double kSlipFit = 1.5;
+/// Price of a drawing of a right-angled corner that no view shows: who draws parallelograms means
+/// a box far more often than a body whose slopes look parallel from one side.
+inline constexpr double kImpossibleCornerCost = 4.0;
+/// ... and the angle is off by more than this hand errs [standard deviations].
+inline constexpr double kSureAngle = 4.0;
+/// A solid is not taken in silence where a slip that explains the drawing costs less than this
+/// more.
+inline constexpr double kSlipMargin = 0.0;
+
 /// A solid with an edge so many times as long as it was drawn is not taken without a question:
 /// nobody looks along an edge within 8 degrees.
 inline constexpr double kMostForeshortening = 7.0;
@@ -82,6 +103,12 @@ inline constexpr double kCompletionMargin = 2.0;
 inline constexpr double kExactMargin = 5.0;
 /// ... and its corners are no farther from where they were drawn than this many variances.
 inline constexpr double kWholeMisfit = 2.5;
+
+/// An unsteady hand's few lines fit many solids, but not a family's so well.
+inline constexpr double kSureMisfit = 1.5;
+inline constexpr double kSureResidue = 0.01;
+/// Others must be so many margins dearer where it is doubtful.
+inline constexpr double kDoubtfulMargins = 2.0;
 
 /// A corner that stands out from the line past it by less than this may be no corner [standard
 /// deviations of a drawn corner].

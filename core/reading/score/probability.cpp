@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/score/probability.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ew {
+namespace {
+
+constexpr double kMostMargin = 30.0;  ///< more says no more
+// Fitted to accepted and refused drawings of the benchmarks.
+constexpr double kBase = 0.5;
+constexpr double kPerMargin = 0.2;
+constexpr double kPerFit = 0.35;
+
+bool isSameResult(const Candidate& a, const Candidate& b) {
+    return a.templateId == b.templateId && a.operation == b.operation && a.body == b.body &&
+           a.spec.vertices.size() == b.spec.vertices.size() &&
+           a.spec.faces.size() == b.spec.faces.size();
+}
+
+}  // namespace
+
+void tellProbabilities(std::vector<Candidate>& candidates, std::size_t lines, double other) {
+    if (candidates.empty()) return;
+    const Candidate& best = candidates.front();
+    const double cost = best.evidence.cost();
+    double next = other;
+    for (const Candidate& c : candidates) {
+        if (!isSameResult(best, c)) next = std::min(next, c.evidence.cost());
+    }
+    const double margin = std::clamp(next - cost, -kMostMargin, kMostMargin);
+    const double misfit = (best.evidence.fit + best.evidence.stray + best.evidence.bare) /
+                          static_cast<double>(std::max<std::size_t>(1, lines));
+    const double likely = 1.0 / (1.0 + std::exp(-(kBase + kPerMargin * margin - kPerFit * misfit)));
+    const auto weight = [&](const Candidate& c) {
+        return std::exp(-0.5 * kPerMargin * std::max(0.0, c.evidence.cost() - cost));
+    };
+    double all =
+        std::isfinite(other) ? std::exp(-0.5 * kPerMargin * std::max(0.0, other - cost)) : 0.0;
+    for (const Candidate& c : candidates) all += isSameResult(best, c) ? 0.0 : weight(c);
+    // Something else that nobody thought of has its share, too.
+    constexpr double kUnknown = 0.2;
+    all += kUnknown;
+    const Candidate first = best;
+    for (Candidate& c : candidates) {
+        // Further solutions of the same result share its probability; the first has most of it.
+        c.probability =
+            isSameResult(first, c) ? likely * weight(c) : (1.0 - likely) * weight(c) / all;
+    }
+}
+
+}  // namespace ew
