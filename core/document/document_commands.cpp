@@ -181,9 +181,10 @@ Result<void> checkRequest(const ApplyRequest& request, const DocumentState& stat
 }
 
 /// A candidate that makes a solid of its own, set level.
-/// \param camera  that it was read through; receives the one that sees it as it was drawn.
+/// \param camera  that it was read through.
+/// \param moved   receives what the whole view has to go along with.
 Candidate setLevel(Candidate candidate, const DocumentState& before, const Thresholds& thresholds,
-                   OrthographicCamera& camera) {
+                   const OrthographicCamera& camera, Motion& moved) {
     if (candidate.operation != Operation::Create) return candidate;
     const bool first = before.bodies.empty();
     const auto motion =
@@ -192,7 +193,7 @@ Candidate setLevel(Candidate candidate, const DocumentState& before, const Thres
     if (!motion) return candidate;
     candidate.pose = (*motion)(candidate.pose);
     // Others are seen as they are: the camera stays.
-    if (first) camera = (*motion)(camera);
+    if (first) moved = *motion;
     return candidate;
 }
 
@@ -214,9 +215,9 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
     }
     auto memory = std::make_shared<ApplyMemory>();
     memory->seen = d_->ink.strokes().back().camera;
-    OrthographicCamera camera = memory->seen;
     const Candidate made =
-        request.level ? setLevel(candidate, *d_->state, thresholds(), camera) : candidate;
+        request.level ? setLevel(candidate, *d_->state, thresholds(), memory->seen, memory->moved)
+                      : candidate;
     auto after = withCandidate(*d_->state, made, request.keep,
                                thresholds().distancePx * memory->seen.worldPerPixel);
     if (!after) return fail(after.error());
@@ -232,12 +233,9 @@ Result<ApplyOutcome> Document::apply(const ApplyRequest& wanted) {
 
     d_->record(applyStep(request));
     d_->obliqueFactor = *request.obliqueFactor;
-    // Who looks from elsewhere by now goes on doing so.
-    const bool turns = d_->view.camera == memory->seen;
-    const std::shared_ptr<ApplyMemory> kept = memory;
+    const Motion moved = memory->moved;
     d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
-    if (turns) (void)setCamera(camera);
-    kept->shown = d_->view.camera;
+    if (request.level) (void)setCamera(moved(d_->view.camera));
     return outcome;
 }
 
@@ -272,10 +270,12 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
         return *last;
     const Candidate& reading = last->interpretation.candidates[static_cast<std::size_t>(*chosen)];
     auto memory = std::make_shared<ApplyMemory>(*command->memory);
-    OrthographicCamera camera = memory->seen;
-    const Candidate made = memory->request.level
-                               ? setLevel(reading, *command->before, memory->thresholds, camera)
-                               : reading;
+    const Motion before = memory->moved;
+    memory->moved = {};
+    const Candidate made =
+        memory->request.level
+            ? setLevel(reading, *command->before, memory->thresholds, memory->seen, memory->moved)
+            : reading;
     auto after = withCandidate(*command->before, made, memory->request.keep,
                                thresholds().distancePx * memory->seen.worldPerPixel);
     if (!after) return fail(after.error());
@@ -293,11 +293,10 @@ Result<ApplyOutcome> Document::chooseReading(int candidate) {
     d_->record(UndoStep{});
     d_->record(applyStep(memory->request));
     auto consumed = explainedBy(reading, memory->strokeIds, d_->ink.strokes());
-    const bool turns = memory->request.level && d_->view.camera == memory->shown;
-    const std::shared_ptr<ApplyMemory> kept = memory;
+    const bool level = memory->request.level;
+    const Motion moved = memory->moved;
     d_->push(name, *std::move(after), std::move(consumed), std::move(memory));
-    if (turns) (void)setCamera(camera);
-    kept->shown = d_->view.camera;
+    if (level) (void)setCamera(moved(before.inverse()(d_->view.camera)));
     // push() compared with the state before the solid; the one on screen changed in any case.
     return outcome;
 }

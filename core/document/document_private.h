@@ -10,6 +10,7 @@
 
 #include "core/document/document.h"
 #include "core/document/ink.h"
+#include "core/document/level.h"
 #include "core/document/recorder.h"
 #include "core/document/store.h"
 
@@ -29,7 +30,7 @@ struct ApplyMemory {
     double readFactor = kDefaultObliqueFactor;     ///< k of outcome.interpretation
     std::vector<int> strokeIds;                    ///< of the strokes that it was read from
     OrthographicCamera seen;                       ///< the camera that they were read through
-    OrthographicCamera shown;                      ///< the document's, once it was made
+    Motion moved;                                  ///< of the view, to set it level
 };
 
 class StateCommand;

@@ -17,6 +17,7 @@ struct Motion {
     Mat3 turn = Mat3::Identity();
     Vec3 shift = Vec3::Zero();  ///< [mm]
 
+    Motion inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
     Pose operator()(const Pose& pose) const;
     /// The camera that sees what was moved as it was seen before.
     OrthographicCamera operator()(const OrthographicCamera& camera) const;

@@ -110,8 +110,8 @@ class SliverCollapse {
         return true;
     }
 
-    /// Gives a triangle its area by moving one of its corners, within the surface rather than out
-    /// of it.
+    /// Gives a triangle its area by moving one of its corners within the surface: out of it, the
+    /// triangle would stand across.
     bool moveAside(std::size_t t) {
         const Vec3 up = outward(t).normalized();
         if (!up.allFinite()) return false;
@@ -121,7 +121,7 @@ class SliverCollapse {
             const Vec3 side = point(ids(t)[(k + 2) % 3]) - point(ids(t)[(k + 1) % 3]);
             const Vec3 across = up.cross(side).normalized();
             if (!across.allFinite()) continue;
-            for (const Vec3& way : {across, Vec3(-across), up, Vec3(-up)}) {
+            for (const Vec3& way : {across, Vec3(-across)}) {
                 if (moveTo(v, point(v) + kMoves * leastHeight_ * way, t)) return true;
             }
         }
@@ -139,10 +139,12 @@ class SliverCollapse {
         }
         const Vec3 from = point(v);
         surface_.positions[at(v)] = place;
-        bool fine = !isSliver(ids(mended));
+        bool fine = !isSliver(ids(mended)) && area(ids(mended)).dot(outward(mended)) > 0.0;
         for (std::size_t i = 0; fine && i < fan.size(); ++i) {
-            if (wasSliver[i]) continue;
-            fine = !isSliver(ids(fan[i])) && area(ids(fan[i])).dot(before[i]) > 0.0;
+            const Vec3 now = area(ids(fan[i]));
+            const Vec3 out = outward(fan[i]);
+            fine = wasSliver[i] ? now.dot(out) >= std::min(0.0, before[i].dot(out))
+                                : !isSliver(ids(fan[i])) && now.dot(before[i]) > 0.0;
         }
         if (!fine) surface_.positions[at(v)] = from;
         return fine;

@@ -80,6 +80,29 @@ TEST(Level, AFirstSolidStandsOnTheGroundUnderItsInk) {
     }
 }
 
+TEST(Level, TheViewGoesAlongFromWhereverOneLooks) {
+    const auto strokes =
+        boxStrokes(rolled(OrthographicCamera{}, 4.0), Vec3(60, 40, 30), Vec3(-30, -20, -50));
+    OrthographicCamera elsewhere;
+    elsewhere.direction = Vec3(-1, 0.2, -0.4).normalized();
+    elsewhere.center = Vec3(5, 7, 11);
+    elsewhere.width = 900;
+    std::vector<std::vector<Vec2>> pictures;
+    for (const bool on : {false, true}) {
+        const auto d = documentWith(strokes);
+        ASSERT_TRUE(d->setCamera(elsewhere));
+        ASSERT_TRUE(d->apply(level(on)));
+        const Body& body = d->state().bodies.front();
+        pictures.emplace_back();
+        for (const Vec3& v : body.solid.vertices()) {
+            pictures.back().push_back(d->camera().project(body.pose.toWorld(v)));
+        }
+    }
+    for (std::size_t v = 0; v < pictures[0].size(); ++v) {
+        EXPECT_LT((pictures[0][v] - pictures[1][v]).norm(), 1e-6) << v;
+    }
+}
+
 TEST(Level, AsDrawnUnlessItIsAskedFor) {
     const auto strokes =
         boxStrokes(rolled(OrthographicCamera{}, 3.0), Vec3(60, 40, 30), Vec3(-30, -20, -50));
