@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several solids in the window: the list of them, and faces that are pulled.
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -219,6 +220,57 @@ TEST_F(Bodies, AreCopiedMovedJoinedAndDeleted) {
     settle();
     EXPECT_EQ(document().state().bodies.size(), 1U);
     EXPECT_NEAR(volume(), one, 1e-9 * one);
+}
+
+/// The action with this text (without its mnemonic), wherever it stands.
+QAction* actionCalled(const QWidget& window, const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+        if (QString(action->text()).remove(QLatin1Char('&')) == text) return action;
+    }
+    return nullptr;
+}
+
+TEST_F(Bodies, AreDoneOnBothSidesOfAMirrorPlane) {
+    QAction* across = actionCalled(*window_, QStringLiteral("Left and right, across X"));
+    QAction* drop = actionCalled(*window_, QStringLiteral("No mirror plane"));
+    ASSERT_TRUE(across != nullptr && drop != nullptr);
+    EXPECT_FALSE(drop->isEnabled());
+    across->trigger();
+    ASSERT_TRUE(document().state().mirror);
+    const Vec3 middle = middleOf(document().state().bodies[0]);
+    EXPECT_NEAR(document().state().mirror->height(middle), 0.0, 1e-9);
+    EXPECT_TRUE(drop->isEnabled());
+    // Its outline is drawn, and goes with the plane.
+    settle();
+    const QImage with = window_->findChild<ViewportWidget*>()->grabFramebuffer();
+    drop->trigger();
+    settle();
+    EXPECT_NE(window_->findChild<ViewportWidget*>()->grabFramebuffer(), with);
+    EXPECT_FALSE(document().state().mirror);
+    document().undoStack().undo();
+    EXPECT_TRUE(document().state().mirror);
+}
+
+TEST_F(Bodies, AreSetLevelUnlessThatIsSwitchedOff) {
+    QAction* level = actionCalled(*window_, QStringLiteral("Set new solids level"));
+    ASSERT_NE(level, nullptr);
+    EXPECT_TRUE(level->isChecked());
+    const auto lowest = [&] { return worldBounds(document().state().bodies[0])[0].z(); };
+    // SetUp() applied without the window.
+    EXPECT_NE(lowest(), 0.0);
+    (void)document().undo();
+    settle();
+    QTest::keyClick(window_.get(), Qt::Key_Return);
+    settle();
+    ASSERT_EQ(document().state().bodies.size(), 1U);
+    EXPECT_NEAR(lowest(), 0.0, 1e-9);
+    (void)document().undo();
+    level->trigger();
+    settle();
+    QTest::keyClick(window_.get(), Qt::Key_Return);
+    settle();
+    ASSERT_EQ(document().state().bodies.size(), 1U);
+    EXPECT_GT(std::abs(lowest()), 1e-6);
 }
 
 }  // namespace
