@@ -8,7 +8,7 @@ namespace ew {
 namespace {
 
 constexpr double kMostMargin = 30.0;  ///< more says no more
-// Fitted to accepted and refused drawings of the benchmarks.
+// Set by hand, not yet fitted to what the benchmarks count.
 constexpr double kBase = 0.5;
 constexpr double kPerMargin = 0.2;
 constexpr double kPerFit = 0.35;
