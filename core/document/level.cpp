@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/document/body_list.h"
+
 namespace ew {
 namespace {
 
@@ -69,9 +71,8 @@ Eigen::AlignedBox3d boundsOf(const PolyhedronSpec& spec, const Pose& pose) {
 }
 
 Eigen::AlignedBox3d boundsOf(const Body& body) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& v : body.solid.vertices()) box.extend(body.pose.toWorld(v));
-    return box;
+    const auto [low, high] = worldBounds(body);
+    return {low, high};
 }
 
 /// Angles of the upright faces' normals round the vertical, modulo a right angle [rad].
@@ -153,25 +154,23 @@ std::optional<Motion> levelled(const PolyhedronSpec& spec, const Pose& pose, dou
 std::optional<Motion> setBeside(const PolyhedronSpec& spec, const Pose& pose,
                                 const std::vector<Body>& others, const OrthographicCamera& camera,
                                 const Thresholds& thresholds) {
-    Motion motion;
-    bool moved = false;
+    std::optional<Motion> motion;
     if (const auto up = upright(spec, pose.rotation, thresholds.angleDeg)) {
         const Mat3 head = headed(spec, *up * pose.rotation, others, thresholds.angleDeg);
         for (const Mat3& turn : {Mat3(head * *up), *up}) {
             const Motion turned = turnedInPlace(spec, pose, turn);
             if (pictureMoves(spec, pose, turned(pose), camera) > thresholds.distancePx) continue;
             motion = turned;
-            moved = true;
             break;
         }
     }
     constexpr double kFlattest = 0.1;  // sight so level reaches the ground far away
     const Vec3& sight = camera.direction;
-    if (moved && std::abs(sight.z()) > kFlattest && !others.empty()) {
+    if (motion && std::abs(sight.z()) > kFlattest) {
         double ground = std::numeric_limits<double>::infinity();
         for (const Body& other : others) ground = std::min(ground, boundsOf(other).min().z());
-        const double drop = ground - boundsOf(spec, motion(pose)).min().z();
-        Motion stands = motion;
+        const double drop = ground - boundsOf(spec, (*motion)(pose)).min().z();
+        Motion stands = *motion;
         stands.shift += sight * (drop / sight.z());
         const Eigen::AlignedBox3d box = boundsOf(spec, stands(pose));
         const bool clear = std::none_of(others.begin(), others.end(), [&](const Body& other) {
@@ -181,10 +180,9 @@ std::optional<Motion> setBeside(const PolyhedronSpec& spec, const Pose& pose,
         if (clear) {
             motion = stands;
             // The difference of two large heights is not quite the ground's.
-            motion.shift.z() += ground - boundsOf(spec, motion(pose)).min().z();
+            motion->shift.z() += ground - boundsOf(spec, stands(pose)).min().z();
         }
     }
-    if (!moved) return std::nullopt;
     return motion;
 }
 

@@ -32,7 +32,7 @@ std::optional<Motion> levelled(const PolyhedronSpec& spec, const Pose& pose, dou
 /// faces of theirs that it nearly is parallel to, as far as its picture stays within the distance
 /// threshold of what was drawn; then along the line of sight until it stands on the ground where
 /// the others stand, unless it would run into one of them.
-/// \return nothing where none of this is possible.
+/// \pre there are others. \return nothing where none of this is possible.
 std::optional<Motion> setBeside(const PolyhedronSpec& spec, const Pose& pose,
                                 const std::vector<Body>& others, const OrthographicCamera& camera,
                                 const Thresholds& thresholds);

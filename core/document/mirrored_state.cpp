@@ -49,8 +49,7 @@ State created(const DocumentState& before, const Candidate& c, double reach) {
         const auto [low, high] = extentOver(spec.vertices, plane);
         const double touching = 1e-9 * (high - low);
         if (low > touching || high < -touching) {
-            const Vec3 shift = 2.0 * plane.normal.dot(plane.point) * plane.normal;
-            auto image = transformed(*solid, plane.reflection(), shift);
+            auto image = transformed(*solid, plane.reflection(), plane.image(Vec3::Zero()));
             if (!image) return fail(image.error());
             after->bodies.push_back({*std::move(solid), c.pose});
             after->bodies.push_back({*std::move(image), c.pose});

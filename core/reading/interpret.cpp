@@ -84,7 +84,7 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
 }
 
 /// What was taken becomes a question.
-/// \param but  what speaks against it, after "This could be a Cube".
+/// \param but  what speaks against it, after "This could be a Cube"; may be empty.
 void askInstead(Interpretation& reading, const std::string& but) {
     const auto best = static_cast<std::size_t>(*reading.accepted);
     const std::string name = withArticle(reading.candidates[best].templateName);
@@ -193,17 +193,7 @@ Interpretation wholeOf(WholeReading whole) {
 /// A solid that explains the drawing, but not without doubt.
 Interpretation offeredWhole(WholeReading whole) {
     Interpretation read = wholeOf(std::move(whole));
-    read.accepted.reset();
-    const std::string name = withArticle(read.candidates.front().templateName);
-    Repair use;
-    use.kind = Repair::Kind::UseCandidate;
-    use.candidate = 0;
-    use.label = "Take it as " + name + " all the same";
-    read.repairs.push_back(std::move(use));
-    std::vector<Vec2> where;
-    for (const Junction& j : read.graph.junctions) where.push_back(j.position);
-    read.problem =
-        Error{Errc::Ambiguous, "This could be " + name + "; choose it, or draw on.", where};
+    askInstead(read, "");
     return read;
 }
 

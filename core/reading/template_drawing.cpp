@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/reading/solve/body_frame.h"
 #include "core/reading/solve/general_fit.h"
 #include "core/solid/solid.h"
 #include "core/solid/visibility.h"
@@ -38,18 +39,6 @@ std::vector<double> randomPlanes(const std::vector<double>& reference, Random& r
     return out;
 }
 
-/// Six times the signed volume.
-double volumeOf(const PolyhedronSpec& spec) {
-    double sum = 0.0;
-    for (const auto& loop : spec.faces) {
-        const Vec3& a = spec.vertices[at(loop[0])];
-        for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-            sum += a.dot(spec.vertices[at(loop[k])].cross(spec.vertices[at(loop[k + 1])]));
-        }
-    }
-    return sum;
-}
-
 PolyhedronSpec rectilinearShape(const LibraryEntry& entry, Random& random) {
     const RectilinearStructure& r = *entry.analysis.rectilinear;
     PolyhedronSpec spec = entry.tmpl.shape;
@@ -60,7 +49,7 @@ PolyhedronSpec rectilinearShape(const LibraryEntry& entry, Random& random) {
         }
     }
     // The axes may stand left-handed, which turns the shape inside out.
-    if (volumeOf(spec) < 0.0) {
+    if (signedVolume(spec) < 0.0) {
         for (Vec3& v : spec.vertices) v.x() = -v.x();
     }
     return spec;

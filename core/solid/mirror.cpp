@@ -14,6 +14,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kFarthest = 1e12;  // [mm], as cameras
 
+/// Makes a unit vector that is along an axis but for rounding so to the bit.
+void snapToAxis(Vec3& unit, double off) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(unit[axis]) <= 1.0 - off) continue;
+        unit = Vec3::Unit(axis) * (unit[axis] > 0.0 ? 1.0 : -1.0);
+    }
+}
+
 /// The one neighbour of each corner of a face that is no corner of it.
 std::optional<std::vector<int>> waysOut(const PolyhedronSpec& spec, const std::vector<int>& loop) {
     const std::set<int> own(loop.begin(), loop.end());
@@ -47,11 +55,7 @@ Result<MirrorPlane> mirrorPlane(const Vec3& point, const Vec3& normal) {
                         normal.cwiseAbs().maxCoeff() < 1.0 / tol::kShortestDirection;
     if (!usable) return fail(Errc::BadValue, "The mirror plane has no direction.");
     MirrorPlane plane{point, normal.normalized()};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(plane.normal[axis]) > 1.0 - 1e-15) {
-            plane.normal = Vec3::Unit(axis) * (plane.normal[axis] > 0.0 ? 1.0 : -1.0);
-        }
-    }
+    snapToAxis(plane.normal, 1e-15);
     return plane;
 }
 
@@ -59,11 +63,7 @@ MirrorPlane inBody(const MirrorPlane& plane, const Pose& pose) {
     MirrorPlane out{pose.toBody(plane.point),
                     (pose.rotation.transpose() * plane.normal).normalized()};
     // A body that stands along the plane has it along its axes, to the bit.
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(out.normal[axis]) > 1.0 - 1e-14) {
-            out.normal = Vec3::Unit(axis) * (out.normal[axis] > 0.0 ? 1.0 : -1.0);
-        }
-    }
+    snapToAxis(out.normal, 1e-14);
     return out;
 }
 

@@ -14,12 +14,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "core/reading/interpret.h"
 #include "core/tlib/library.h"
+#include "tests/bench/reasons.h"
 #include "tests/bench/recognition_report.h"
 #include "tests/bench/thread_time.h"
 
@@ -39,7 +39,7 @@ struct Options {
 struct Row {
     int read = 0, named = 0, code = 0, offered = 0, other = 0, wrong = 0;
     double longestMs = 0.0;
-    std::map<std::string, std::vector<int>> reasons;
+    Reasons reasons;
 };
 
 bool isMeant(const Candidate& c, const SpoiltDrawing& drawn) {
@@ -130,15 +130,7 @@ void run(const Options& o, const TemplateLibrary& library) {
         std::printf("%-18s %5d %5d %5d %7d %5d %5d %11.0f\n", std::string(kind.name).c_str(),
                     row.read, row.named, row.code, row.offered, row.other, row.wrong,
                     row.longestMs);
-        if (o.reasons) {
-            for (const auto& [reason, where] : row.reasons) {
-                std::printf("    %3zu %s:", where.size(), reason.c_str());
-                for (std::size_t k = 0; k < std::min<std::size_t>(where.size(), 8); ++k) {
-                    std::printf(" %d", where[k]);
-                }
-                std::printf("\n");
-            }
-        }
+        if (o.reasons) printReasons(row.reasons);
         std::fflush(stdout);
         sum.read += row.read;
         sum.named += row.named;

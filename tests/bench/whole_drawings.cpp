@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -22,6 +21,7 @@
 
 #include "core/reading/interpret.h"
 #include "core/tlib/library.h"
+#include "tests/bench/reasons.h"
 #include "tests/bench/recognition_report.h"
 #include "tests/bench/thread_time.h"
 #include "tests/support/sketch_generator.h"
@@ -111,7 +111,7 @@ Result read(const WholeCase& drawn, const std::vector<Stroke>& strokes,
 struct Cell {
     int right = 0, wrong = 0, offered = 0;
     std::vector<double> ms;
-    std::map<std::string, std::vector<int>> reasons;
+    Reasons reasons;
 };
 
 Cell runCell(const Options& o, const std::string& kind, std::size_t level,
@@ -179,15 +179,7 @@ void run(const Options& o, const TemplateLibrary& library) {
         }
         std::printf("\n");
         if (!o.reasons) continue;
-        for (const Cell& c : cells) {
-            for (const auto& [reason, where] : c.reasons) {
-                std::printf("    %3zu %s:", where.size(), reason.c_str());
-                for (std::size_t k = 0; k < std::min<std::size_t>(where.size(), 8); ++k) {
-                    std::printf(" %d", where[k]);
-                }
-                std::printf("\n");
-            }
-        }
+        for (const Cell& c : cells) printReasons(c.reasons);
     }
 }
 

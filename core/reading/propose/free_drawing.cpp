@@ -420,9 +420,10 @@ class Pipeline {
                     : std::min(quality, out.candidates.front().score *
                                             std::exp(-std::max(0.0, c.cost - least) / 30.0));
         }
-        findings.slip = likeliestSlip(readings_, best, inkLengthPx(ink_));
+        const double inkPx = inkLengthPx(ink_);
+        findings.slip = likeliestSlip(readings_, best, inkPx);
         if (findings.slip != nullptr) best.clear = false;
-        out.slip = likeliestSlip(readings_, best, inkLengthPx(ink_), true) != nullptr;
+        out.slip = likeliestSlip(readings_, best, inkPx, true) != nullptr;
         tellProbabilities(out.candidates, out.graph.edges.size(),
                           findings.slip == nullptr ? std::numeric_limits<double>::infinity()
                                                    : findings.slip->cost);

@@ -30,17 +30,6 @@ Pose poseOf(const Mat3& cameraFrame, const Vec3& originPx, double nearest,
     return pose;
 }
 
-double signedVolume(const PolyhedronSpec& spec) {
-    double v = 0;
-    for (const auto& loop : spec.faces) {
-        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-            v += spec.vertices[at(loop[0])].dot(
-                spec.vertices[at(loop[i])].cross(spec.vertices[at(loop[i + 1])]));
-        }
-    }
-    return v / 6;
-}
-
 /// A mirror image of the template has its faces inside out.
 void orientOutward(PolyhedronSpec& spec) {
     if (signedVolume(spec) >= 0) return;
@@ -68,6 +57,17 @@ void uniteCoordinates(std::vector<Vec3>& points, int axis, double tolerance) {
 }
 
 }  // namespace
+
+double signedVolume(const PolyhedronSpec& spec) {
+    double v = 0;
+    for (const auto& loop : spec.faces) {
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            v += spec.vertices[at(loop[0])].dot(
+                spec.vertices[at(loop[i])].cross(spec.vertices[at(loop[i + 1])]));
+        }
+    }
+    return v / 6;
+}
 
 PlacedBody placeRectilinear(const Template& tmpl, const RectilinearStructure& r,
                             const AffinePicture& picture, const std::array<Vec3, 3>& axes,

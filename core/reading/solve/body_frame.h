@@ -17,6 +17,9 @@ struct PlacedBody {
     Pose pose;
 };
 
+/// Enclosed volume [cubic units], negative where faces are the wrong side out.
+double signedVolume(const PolyhedronSpec& spec);
+
 /// A rectilinear template: axis-aligned in its frame, planes shared to the bit.
 /// \param axes  camera-space vectors of the three axes [px], mutually perpendicular; vertex v is at
 ///              picture.origin + sum of positions times axes.
