@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/document/file_bytes.h"
+#include "core/document/file_fault.h"
 #include "core/document/resources.h"
 #include "core/document/template_pack.h"
 #include "core/reading/confusion.h"
@@ -56,28 +57,10 @@ int unusable(const std::string& message) {
     return kUnusable;
 }
 
-/// What is wrong with a file.
-struct Fault {
-    std::string file, path, message;
-    ew::Errc code = ew::Errc::BadTemplate;
-};
-
-/// "FILE: /json/path: sentence" in its parts; without a path the whole file is meant.
-Fault faultOf(const QString& file, const ew::Error& error) {
-    Fault fault{file.toStdString(), "/", error.message, error.code};
-    if (fault.message.starts_with(fault.file + ": ")) fault.message.erase(0, fault.file.size() + 2);
-    const std::size_t end = fault.message.find(": ");
-    if (!fault.message.empty() && fault.message.front() == '/' && end != std::string::npos) {
-        fault.path = fault.message.substr(0, end);
-        fault.message.erase(0, end + 2);
-    }
-    return fault;
-}
-
 /// The templates of files, and what is wrong with those that have none.
 struct Loaded {
     std::vector<std::pair<QString, ew::Template>> templates;
-    std::vector<Fault> faults;
+    std::vector<ew::FileFault> faults;
 };
 
 bool isPack(const std::string& bytes) { return bytes.starts_with("PK"); }
@@ -91,7 +74,7 @@ ew::Result<Loaded> load(const QStringList& files) {
         if (isPack(*bytes)) {
             auto pack = ew::readTemplatePack(*bytes, name);
             if (!pack) {
-                out.faults.push_back(faultOf(file, pack.error()));
+                out.faults.push_back(ew::fileFault(file.toStdString(), pack.error()));
                 continue;
             }
             for (ew::Template& t : pack->templates) out.templates.emplace_back(file, std::move(t));
@@ -101,7 +84,7 @@ ew::Result<Loaded> load(const QStringList& files) {
         if (tmpl)
             out.templates.emplace_back(file, *std::move(tmpl));
         else
-            out.faults.push_back(faultOf(file, tmpl.error()));
+            out.faults.push_back(ew::fileFault(file.toStdString(), tmpl.error()));
     }
     return out;
 }
@@ -124,7 +107,7 @@ void findTwins(Loaded& loaded) {
 int tellFaults(const Loaded& loaded, bool asJson) {
     if (asJson) {
         Json faults = Json::array();
-        for (const Fault& f : loaded.faults) {
+        for (const ew::FileFault& f : loaded.faults) {
             faults.push_back({{"file", f.file},
                               {"path", f.path},
                               {"code", ew::errcName(f.code)},
@@ -140,8 +123,8 @@ int tellFaults(const Loaded& loaded, bool asJson) {
                        {"faults", faults}};
         std::printf("%s\n", out.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
     } else {
-        for (const Fault& f : loaded.faults) {
-            std::printf("%s: %s: %s\n", f.file.c_str(), f.path.c_str(), f.message.c_str());
+        for (const ew::FileFault& f : loaded.faults) {
+            std::printf("%s\n", f.line().c_str());
         }
     }
     return loaded.faults.empty() ? kDone : kFaults;

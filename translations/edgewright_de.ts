@@ -1572,16 +1572,41 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>abziehen</translation>
     </message>
     <message>
-        <source>Reading %1: %2, %3, fit %4 %</source>
-        <translation>Lesart %1: %2, %3, Passung %4 %</translation>
+        <source>Reading %1: %2, %3, %4 % likely</source>
+        <translation>Lesart %1: %2, %3, zu %4 % wahrscheinlich</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
+        <source>explains all ink</source>
+        <translation>erklärt alle Striche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) not explained</source>
+        <translation>
+            <numerusform>%n Strich nicht erklärt</numerusform>
+            <numerusform>%n Striche nicht erklärt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) not explained</source>
+        <translation>
+            <numerusform>%n Linie nicht erklärt</numerusform>
+            <numerusform>%n Linien nicht erklärt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s) not drawn</source>
+        <translation>
+            <numerusform>%n Kante nicht gezeichnet</numerusform>
+            <numerusform>%n Kanten nicht gezeichnet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 % likely</source>
+        <translation>zu %1 % wahrscheinlich</translation>
     </message>
     <message>
         <source>%1 · %2</source>

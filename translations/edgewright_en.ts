@@ -2,6 +2,30 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ew::CandidateCard</name>
+    <message numerus="yes">
+        <source>%n stroke(s) not explained</source>
+        <translation>
+            <numerusform>%n stroke not explained</numerusform>
+            <numerusform>%n strokes not explained</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) not explained</source>
+        <translation>
+            <numerusform>%n line not explained</numerusform>
+            <numerusform>%n lines not explained</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s) not drawn</source>
+        <translation>
+            <numerusform>%n edge not drawn</numerusform>
+            <numerusform>%n edges not drawn</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ew::CandidatePanel</name>
     <message numerus="yes">
         <source>%n reading(s)</source>

@@ -87,14 +87,12 @@ ShapeCache::~ShapeCache() = default;
 
 namespace {
 
-bool sameSolid(const Solid& a, const Solid& b) { return &a.impl() == &b.impl(); }
-
 Result<std::shared_ptr<const FilletedCage>> makeCage(const Solid& solid,
                                                      const std::vector<double>& radii, int segments,
                                                      ShapeCache::Impl& cache) {
     using Entry = ShapeCache::Impl::Cage;
     const auto known = cache.find(cache.cages, [&](const Entry& e) {
-        return sameSolid(e.solid, solid) && e.segments == segments && e.radii == radii;
+        return e.solid.sharesDataWith(solid) && e.segments == segments && e.radii == radii;
     });
     if (known) return known->cage;
     FilletOptions options;
@@ -141,7 +139,7 @@ Result<std::shared_ptr<const SurfaceMesh>> makeSurface(const ShapeInput& input, 
                     "larger tolerance.");
     };
     const auto known = cache.find(cache.surfaces, [&](const Entry& e) {
-        return sameSolid(e.solid, solid) && e.cage == shape.cage && e.settings == settings &&
+        return e.solid.sharesDataWith(solid) && e.cage == shape.cage && e.settings == settings &&
                e.sharpness == control.edgeSharpness;
     });
     if (known) {
@@ -185,7 +183,7 @@ Result<StrokeCanvas> canvasFor(const ShapeInput& input, const std::vector<BodySh
     const auto known = cache.find(cache.canvases, [&](const Entry& e) {
         bool same = e.camera == camera && e.shapes.size() == shapes.size();
         for (std::size_t b = 0; same && b < shapes.size(); ++b) {
-            same = sameSolid(e.solids[b], input.bodies[b].solid) &&
+            same = e.solids[b].sharesDataWith(input.bodies[b].solid) &&
                    samePose(e.poses[b], input.bodies[b].pose) &&
                    e.hidden[b] == input.bodies[b].hidden && e.shapes[b].cage == shapes[b].cage &&
                    e.shapes[b].surface == shapes[b].surface;

@@ -257,11 +257,14 @@ class Document : public QObject {
     /// combine().
     Result<void> combineBodies(int body, int other, BooleanKind kind);
 
+    /// Errors of both: NothingToUndo, NothingToRedo, BadValue; Damaged where the solids of the
+    /// state to go to, which an opened file leaves for later, cannot be read: then nothing is done.
     Result<void> undo(int count = 1);
     Result<void> redo(int count = 1);
     /// Goes back or forward along the line of time, with all ink on the way, to right after a step
     /// (forward) or to right before the next one (back).
-    /// \param index  steps that are done then. Errc::BadValue.
+    /// \param index  steps that are done then. BadValue, Damaged as undo(), where it stays at the
+    ///     last step that it came to.
     Result<void> goToStep(int index);
     QUndoStack& undoStack() const;
 
@@ -273,6 +276,7 @@ class Document : public QObject {
     /// Empty where it has none.
     const std::string& stateName(int steps) const;
     /// The document as it was or will be with so many steps done; null where there are not so many.
+    /// Its solids may still have to be read from the file: loadState().
     std::shared_ptr<const DocumentState> stateAt(int steps) const;
     /// Merges the steps between named states, so that only those and the newest state stay; what
     /// was undone and could be done again goes, too. Never done by itself. The recorded script
@@ -293,7 +297,9 @@ class Document : public QObject {
     Result<void> saveCopy(const QString& wanted) const;
     /// Replaces everything, history included; on error nothing changes. Errors: of loadDocument().
     Result<void> open(const QString& path);
-    /// What open() does on the disk, as a task for another thread; open() then takes what it gives.
+    /// Reads a file as a task for another thread; open() then takes what it gives. The solids of
+    /// states that are not shown are read when somebody goes there (undo()), so that a long history
+    /// is open at once; open() with a path reads all.
     std::function<Result<OpenedFile>()> openTask(const QString& path,
                                                  std::function<bool(double)> progress = {}) const;
     void open(OpenedFile opened);

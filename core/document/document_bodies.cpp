@@ -236,7 +236,7 @@ Result<int> Document::moveBody(int body, const BodyMove& move) {
     auto after = std::make_shared<DocumentState>(before);
     const double scale = std::cbrt(move.scale.prod());
     EdgeSettings edges = edgesOf(before, body);
-    if (&moved->solid.impl() != &old.solid.impl()) {
+    if (!moved->solid.sharesDataWith(old.solid)) {
         edges = sameEdges(old.solid, edges, moved->solid, scale);
     }
     int place = body;

@@ -76,7 +76,7 @@ void Document::Private::stateChanged(const DocumentState& before) {
     const bool sameBodies = before.bodies.size() == state->bodies.size() &&
                             std::equal(before.bodies.begin(), before.bodies.end(),
                                        state->bodies.begin(), [](const Body& a, const Body& b) {
-                                           return &a.solid.impl() == &b.solid.impl() &&
+                                           return a.solid.sharesDataWith(b.solid) &&
                                                   a.hidden == b.hidden && a.name == b.name &&
                                                   a.pose.rotation == b.pose.rotation &&
                                                   a.pose.translation == b.pose.translation;
@@ -440,6 +440,7 @@ Result<void> Document::undo(int count) {
                                              ? "There is nothing to undo."
                                              : onlySo(d_->stackIndex) + " to undo.");
     }
+    if (auto ok = loadState(*stateAt(d_->stackIndex - count)); !ok) return ok;
     d_->stack.setIndex(d_->stackIndex - count);
     return {};
 }
@@ -451,6 +452,7 @@ Result<void> Document::redo(int count) {
         return fail(Errc::NothingToRedo,
                     left == 0 ? "There is nothing to redo." : onlySo(left) + " to redo.");
     }
+    if (auto ok = loadState(*stateAt(d_->stackIndex + count)); !ok) return ok;
     d_->stack.setIndex(d_->stackIndex + count);
     return {};
 }
@@ -462,12 +464,12 @@ Result<void> Document::goToStep(int index) {
     while (d_->stackIndex > index) {
         while (undoInk()) {
         }
-        (void)undo();
+        if (auto ok = undo(); !ok) return ok;
     }
     while (d_->stackIndex < index) {
         while (redoInk()) {
         }
-        (void)redo();
+        if (auto ok = redo(); !ok) return ok;
     }
     return {};
 }

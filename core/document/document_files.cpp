@@ -235,14 +235,23 @@ Result<void> Document::save(const QString& wanted) {
     return {};
 }
 
+namespace {
+
+Result<OpenedFile> openedFile(const QString& path, const TemplateLibrary& shipped,
+                              const ReadOptions& options) {
+    // Before it is read: what is written meanwhile counts as a change.
+    const auto stamp = fileStamp(path);
+    auto file = loadDocument(path, shipped, options);
+    if (!file) return fail(file.error());
+    return OpenedFile{path, stamp, std::make_shared<DocumentFile>(*std::move(file))};
+}
+
+}  // namespace
+
 std::function<Result<OpenedFile>()> Document::openTask(const QString& path,
                                                        std::function<bool(double)> progress) const {
-    return [path, shipped = d_->shipped, progress = std::move(progress)]() -> Result<OpenedFile> {
-        // Before it is read: what is written meanwhile counts as a change.
-        const auto stamp = fileStamp(path);
-        auto file = loadDocument(path, shipped, progress);
-        if (!file) return fail(file.error());
-        return OpenedFile{path, stamp, std::make_shared<DocumentFile>(*std::move(file))};
+    return [path, shipped = d_->shipped, progress = std::move(progress)] {
+        return openedFile(path, shipped, {.whole = false, .progress = progress});
     };
 }
 
@@ -254,7 +263,7 @@ void Document::open(OpenedFile opened) {
 }
 
 Result<void> Document::open(const QString& path) {
-    auto opened = openTask(path)();
+    auto opened = openedFile(path, d_->shipped, {});
     if (!opened) return fail(opened.error());
     open(*std::move(opened));
     return {};

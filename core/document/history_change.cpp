@@ -101,7 +101,7 @@ class HistoryReplay {
         auto step = changedStep(change);
         if (!step) return fail(step.error());
         const int count = static_cast<int>(file_.commands.size());
-        collectInk(change.place);
+        if (auto ok = collectInk(change.place); !ok) return fail(ok.error());
         if (auto ok = new_.goToStep(change.place); !ok) return fail(ok.error());
         HistoryChange out;
         for (int place = change.place; place < count; ++place) {
@@ -136,14 +136,19 @@ class HistoryReplay {
         return step;
     }
     /// What was drawn when each step came, and in the end.
-    void collectInk(int from) {
+    Result<void> collectInk(int from) {
         const int count = static_cast<int>(file_.commands.size());
         inkBefore_.resize(static_cast<std::size_t>(count) + 1);
-        if (file_.index < count) static_cast<void>(old_.goToStep(count));
+        if (file_.index < count) {
+            if (auto ok = old_.goToStep(count); !ok) return ok;
+        }
         for (int place = count; place >= from; --place) {
-            if (place < count) static_cast<void>(old_.goToStep(place));
+            if (place < count) {
+                if (auto ok = old_.goToStep(place); !ok) return ok;
+            }
             inkBefore_[static_cast<std::size_t>(place)] = old_.pendingStrokes();
         }
+        return {};
     }
     Result<void> redo(int place, const std::optional<RecordedStep>& recorded) {
         if (!recorded) {

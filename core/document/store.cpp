@@ -61,7 +61,7 @@ bool isOfLaterSchema(std::string_view bytes) {
 
 /// Reads what this program knows of a file whose schema says that it may be read so.
 Result<DocumentFile> readLater(const std::string& bytes, const TemplateLibrary& shipped,
-                               const ReadProgress& progress) {
+                               const ReadOptions& options) {
     const LaterSchema later = laterSchema(bytes, databaseHead(bytes).version);
     if (later.readableAs < 1 || later.readableAs > schema::kVersion) {
         return fail(Errc::WrongVersion, laterVersionText(later));
@@ -69,18 +69,27 @@ Result<DocumentFile> readLater(const std::string& bytes, const TemplateLibrary& 
     const DatabaseKind kind{schema::kApplicationId, later.version, schema::kTables, true};
     auto database = Database::overBytes(bytes, kind);
     if (!database) return fail(database.error());
-    return readDatabase(*database, shipped, progress);
+    return readDatabase(*database, shipped, options);
 }
 
 }  // namespace
 
 Result<DocumentFile> readDocument(const std::string& bytes, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress) {
+                                  const ReadOptions& options) {
     if (!isDatabase(bytes)) return readSchema1(bytes, shipped);
-    if (isOfLaterSchema(bytes)) return readLater(bytes, shipped, progress);
+    if (isOfLaterSchema(bytes)) return readLater(bytes, shipped, options);
     auto database = Database::overBytes(bytes, schema::kKind);
     if (!database) return fail(database.error());
-    return readDatabase(*database, shipped, progress);
+    return readDatabase(*database, shipped, options);
+}
+
+Result<void> loadState(const DocumentState& state) {
+    for (const Body& body : state.bodies) {
+        if (auto ok = body.solid.load(); !ok) {
+            return fail(Errc::Damaged, "A solid in the file is damaged: " + ok.error().message);
+        }
+    }
+    return {};
 }
 
 bool isFileOfLaterSchema(const QString& path) {
@@ -108,12 +117,12 @@ Result<void> saveDocument(const DocumentFile& file, const QString& path) {
 }
 
 Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress) {
+                                  const ReadOptions& options) {
     auto bytes = readFileBytes(path, kMaxDocumentBytes);
     if (!bytes) return fail(bytes.error());
     const std::string name = QFileInfo(path).fileName().toStdString();
     if (auto ok = refuseOtherKinds(name, *bytes); !ok) return fail(ok.error());
-    auto file = readDocument(*bytes, shipped, progress);
+    auto file = readDocument(*bytes, shipped, options);
     if (file) return file;
     const Error& error = file.error();
     if (error.code == Errc::Cancelled) return file;

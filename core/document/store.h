@@ -98,15 +98,26 @@ Result<std::string> writeDocument(const DocumentFile& file);
 /// at a time.
 using ReadProgress = std::function<bool(double)>;
 
+struct ReadOptions {
+    /// The solids of all states are checked; else only those of the state that is shown first, and
+    /// the others when somebody goes there (loadState).
+    bool whole = true;
+    ReadProgress progress = {};
+};
+
 /// Reads writeDocument's bytes, or the JSON text of schema 1. Everything is checked. Errors of
 /// both: TooLarge, Damaged, BadValue and those of readTemplate, TemplateLibrary::with and
 /// Solid::deserialize; WrongVersion for a later schema that this program cannot read at all, whose
 /// sentence says which version of the program does; Cancelled; of schema 1 also TooDeep, Syntax,
-/// WrongFormat, UnknownKey, MissingKey, WrongType. Messages name the place in the file. \param
-/// shipped  the templates that every library starts with; where a template of the document
-///                 has the same id, the document's takes its place.
+/// WrongFormat, UnknownKey, MissingKey, WrongType. Messages name the place in the file.
+/// \param shipped  the templates that every library starts with; where a template of the document
+///     has the same id, the document's takes its place.
 Result<DocumentFile> readDocument(const std::string& bytes, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress = {});
+                                  const ReadOptions& options = {});
+
+/// Reads and checks the solids of a state that were left for later.
+/// Errors: Damaged, with what Solid::load() said.
+Result<void> loadState(const DocumentState& state);
 
 /// Was the document at this path written by a version with a later schema? Nothing is written over
 /// such a file. False where there is none.
@@ -119,6 +130,6 @@ Result<void> saveDocument(const DocumentFile& file, const QString& path);
 
 /// Errc::FileNotFound, Errc::TooLarge and the errors of readDocument.
 Result<DocumentFile> loadDocument(const QString& path, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress = {});
+                                  const ReadOptions& options = {});
 
 }  // namespace ew

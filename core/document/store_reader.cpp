@@ -76,8 +76,8 @@ const auto& known(const Map& map, std::int64_t id, const std::string& place, con
 
 class DatabaseReader {
   public:
-    DatabaseReader(Database& database, const TemplateLibrary& shipped, ReadProgress progress = {})
-        : db_(database), shipped_(shipped), progress_(std::move(progress)) {}
+    DatabaseReader(Database& database, const TemplateLibrary& shipped, ReadOptions options = {})
+        : db_(database), shipped_(shipped), options_(std::move(options)) {}
     DocumentFile read();
     DocumentSummary summary();
 
@@ -114,7 +114,7 @@ class DatabaseReader {
 
     Database& db_;
     const TemplateLibrary& shipped_;
-    ReadProgress progress_;
+    ReadOptions options_;
     DocumentFile file_;
     std::map<std::string, json> settings_;
     std::unordered_map<std::int64_t, PackedBlob> blobs_;
@@ -250,7 +250,7 @@ void DatabaseReader::readSolids() {
     std::vector<const PackedBlob*> packed;
     packed.reserve(ids.size());
     for (const std::int64_t id : ids) packed.push_back(&known(blobs_, id, "state", "blob"));
-    auto read = solidsFromBlobs(packed, progress_);
+    auto read = solidsFromBlobs(packed, options_.whole, options_.progress);
     for (std::size_t i = 0; i < ids.size(); ++i) {
         if (!read[i]) {
             throwRead(read[i].error().code,
@@ -341,6 +341,9 @@ void DatabaseReader::readSteps() {
     });
     checkRows("step", file_.commands.size());
     file_.index = settingInt("index", 0, static_cast<int>(file_.commands.size()));
+    if (auto ok = loadState(*file_.stateAt(file_.index)); !ok) {
+        throwRead(ok.error().code, "state: " + ok.error().message);
+    }
     readNames();
 }
 
@@ -475,9 +478,9 @@ DocumentSummary DatabaseReader::summary() {
 }  // namespace
 
 Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress) {
+                                  const ReadOptions& options) {
     try {
-        return DatabaseReader(database, shipped, progress).read();
+        return DatabaseReader(database, shipped, options).read();
     } catch (ReadError& e) {
         return fail(std::move(e.error));
     }

@@ -8,7 +8,7 @@ namespace ew {
 
 /// Reads a database of schema 2. Everything is checked; errors as readDocument().
 Result<DocumentFile> readDatabase(Database& database, const TemplateLibrary& shipped,
-                                  const ReadProgress& progress = {});
+                                  const ReadOptions& options = {});
 
 /// What a list of documents shows of one.
 struct DocumentSummary {

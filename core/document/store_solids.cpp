@@ -3,11 +3,23 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <thread>
 
 namespace ew {
+namespace {
 
-std::vector<Result<Solid>> solidsFromBlobs(std::span<const PackedBlob* const> blobs,
+Result<Solid> solidFromBlob(const PackedBlob& blob, bool whole) {
+    const auto text = unpackBlob(blob);
+    if (!text) return fail(text.error());
+    if (whole) return Solid::deserialize(*text);
+    return Solid::deferred(
+        [kept = std::make_shared<const PackedBlob>(blob)] { return unpackBlob(*kept); });
+}
+
+}  // namespace
+
+std::vector<Result<Solid>> solidsFromBlobs(std::span<const PackedBlob* const> blobs, bool whole,
                                            const ReadProgress& progress) {
     std::vector<Result<Solid>> read(blobs.size(), fail(Errc::Cancelled, "Opening was given up."));
     std::atomic<std::size_t> next = 0;
@@ -15,8 +27,7 @@ std::vector<Result<Solid>> solidsFromBlobs(std::span<const PackedBlob* const> bl
     const auto readOne = [&] {
         const std::size_t i = next++;
         if (i >= blobs.size() || stop) return false;
-        const auto text = unpackBlob(*blobs[i]);
-        read[i] = text ? Solid::deserialize(*text) : Result<Solid>(fail(text.error()));
+        read[i] = solidFromBlob(*blobs[i], whole);
         return true;
     };
     constexpr std::size_t kWorthAThread = 8;

@@ -101,6 +101,7 @@ SurfaceSettings surfaceFromJson(const json& value, const std::string& place,
     for (std::size_t b = 0; b < list.size(); ++b) {
         const ObjectReader body(list[b], in.at("edges") + "/" + std::to_string(b));
         body.allowOnly({"radii", "sharpness"});
+        if (auto ok = bodies[b].solid.load(); !ok) throwRead(ok.error().code, ok.error().message);
         const std::size_t count = bodies[b].solid.edges().size();
         EdgeSettings edges;
         edges.radii = readSparse(body.require("radii"), body.at("radii"), count, 0.0, &checkRadius);

@@ -107,7 +107,7 @@ std::int64_t DocumentWriter::state(const std::shared_ptr<const DocumentState>& s
         const Body& body = s->bodies[i];
         // Steps share the solids that they leave alone, so most need not be serialized.
         const bool same = before != nullptr && i < before->solids.size() &&
-                          &before->state->bodies[i].solid.impl() == &body.solid.impl();
+                          before->state->bodies[i].solid.sharesDataWith(body.solid);
         row.solids.push_back(same ? before->solids[i] : blob(body.solid.serialize()));
         separate(bodies);
         bodies += "{\"solid\": " + std::to_string(row.solids.back()) + ", " + poseText(body.pose);

@@ -197,7 +197,7 @@ Result<DocumentFile> WorkFolder::read(const WorkCopyEntry& entry,
     auto database = Database::openFile(QFile::encodeName(entry.path).toStdString(), schema::kKind,
                                        Database::Missing::Refuse);
     if (!database) return fail(database.error());
-    return readDatabase(*database, shipped);
+    return readDatabase(*database, shipped, {.whole = false});
 }
 
 Result<void> WorkFolder::decline(const WorkCopyEntry& entry) const {

@@ -6,13 +6,14 @@
 //   x y z                       a double in its shortest form, or a fraction n/d
 //   faces F
 //   loops n i i i ... n i i i   counts and vertex indices, outer loop first
+#include "core/solid/serialize.h"
+
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "core/base/tolerance.h"
 #include "core/solid/assemble.h"
-#include "core/solid/mesh_kernel.h"
 
 namespace ew {
 namespace {
@@ -160,17 +161,17 @@ Result<ExactBrep> readBrep(std::string_view text) {
 
 }  // namespace
 
-std::string Solid::serialize() const {
-    const ExactMesh& surface = impl_->surface;
+std::string textOf(const Solid::Impl& solid) {
+    const ExactMesh& surface = solid.surface;
     std::string out(kMagic);
-    out.append(" 1\nvertices ").append(std::to_string(vertices().size())).append("\n");
+    out.append(" 1\nvertices ").append(std::to_string(solid.vertices.size())).append("\n");
     for (const auto v : surface.mesh.vertices()) {
         const auto& e = CGAL::exact(surface.point(v));
         out.append(exactText(e.x())).append(" ").append(exactText(e.y()));
         out.append(" ").append(exactText(e.z())).append("\n");
     }
-    out.append("faces ").append(std::to_string(faces().size())).append("\n");
-    for (const SolidFace& face : faces()) {
+    out.append("faces ").append(std::to_string(solid.faces.size())).append("\n");
+    for (const SolidFace& face : solid.faces) {
         out.append(std::to_string(face.loops.size()));
         for (const std::vector<int>& loop : face.loops) {
             out.append(" ").append(std::to_string(loop.size()));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,23 +64,38 @@ class Solid {
     std::string serialize() const;
     static Result<Solid> deserialize(const std::string& text);
 
+    /// A solid that is read when something first asks for its geometry; any thread may be the one.
+    /// Until then it costs what `text` holds.
+    /// \param text  gives what serialize() gave; called by any thread, one at a time.
+    /// \pre where load() fails, only that, serialize() and sharesDataWith() are called; everything
+    ///     else throws std::runtime_error then.
+    static Solid deferred(std::function<Result<std::string>()> text);
+    /// Reads a deferred solid now, where that was not done yet. Errors: those of its text and of
+    /// deserialize(), the same ones every time.
+    Result<void> load() const;
+    bool isLoaded() const;
+
     /// True where both hold the same topology and exactly the same coordinates, index by index.
     bool identicalTo(const Solid& other) const;
+    /// Is one a copy of the other, however far removed? Nothing is read for it.
+    bool sharesDataWith(const Solid& other) const { return content_ == other.content_; }
 
     struct Impl;
-    explicit Solid(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-    const Impl& impl() const { return *impl_; }
+    explicit Solid(std::shared_ptr<const Impl> impl);
+    const Impl& impl() const;
 
   private:
-    std::shared_ptr<const Impl> impl_;
+    class Content;
+    explicit Solid(std::shared_ptr<Content> content);
+    std::shared_ptr<Content> content_;
 };
 
 /// A solid in the world.
 struct Body {
     Solid solid;
-    Pose pose;             ///< body frame -> world
+    Pose pose;              ///< body frame -> world
     std::string name = {};  ///< that a person calls it by; empty: by its number
-    bool hidden = false;   ///< neither shown nor drawn on nor exported
+    bool hidden = false;    ///< neither shown nor drawn on nor exported
 };
 
 }  // namespace ew

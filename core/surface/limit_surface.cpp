@@ -23,10 +23,9 @@ constexpr int kSharpLevels = 6;
 /// while a radius is dragged only the points move.
 class PatchCache : public Osd::Bfr::SurfaceFactoryCache {
   public:
-    bool full() const {
-        constexpr std::size_t kMost = 2000;  // some tens of KiB each
+    std::size_t patches() const {
         const std::shared_lock lock(mutex_);
-        return Size() >= kMost;
+        return Size();
     }
 
   protected:
@@ -43,13 +42,18 @@ class PatchCache : public Osd::Bfr::SurfaceFactoryCache {
     mutable std::shared_mutex mutex_;
 };
 
-/// The cache for factories with these options, which it depends on.
+/// The cache for factories with these options, which it depends on. Where all caches together hold
+/// more than the bound, all begin anew; surfaces that are being made keep theirs until then.
 std::shared_ptr<PatchCache> patchCache(Osd::Sdc::SchemeType scheme, int smooth, int sharp) {
+    constexpr std::size_t kMostPatches = 1'000;  // some tens of KiB each
     static std::mutex mutex;
     static std::map<std::array<int, 3>, std::shared_ptr<PatchCache>> caches;
     const std::scoped_lock lock(mutex);
+    std::size_t patches = 0;
+    for (const auto& [options, cache] : caches) patches += cache->patches();
+    if (patches >= kMostPatches) caches.clear();
     std::shared_ptr<PatchCache>& cache = caches[{static_cast<int>(scheme), smooth, sharp}];
-    if (!cache || cache->full()) cache = std::make_shared<PatchCache>();
+    if (!cache) cache = std::make_shared<PatchCache>();
     return cache;
 }
 

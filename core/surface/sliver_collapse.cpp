@@ -2,6 +2,7 @@
 #include "core/surface/sliver_collapse.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -34,7 +35,7 @@ class SliverCollapse {
             if (again) slivers = findSlivers();
         }
         for (const std::size_t t : slivers) {
-            if (!gone_[t] && isSliver(ids(t))) moveAside(t);
+            if (!gone_[t] && isSliver(ids(t)) && !moveAside(t, false)) moveAside(t, true);
         }
         if (any) compact();
     }
@@ -43,6 +44,11 @@ class SliverCollapse {
     /// Sides shorter than this share of the largest coordinate are nothing that anybody sees: what
     /// is so small may lose its area when it is drawn together.
     static constexpr double kTinySide = 1e-4;
+
+    /// How far a corner is moved aside, in least heights; rounding may take some of it.
+    static constexpr std::array<double, 3> kMoves{1.5, 4.0, 10.0};
+    /// A triangle lower than this is thin, in least heights: 2e-5 of the largest coordinate.
+    static constexpr double kThin = 30.0;
 
     using Ids = std::array<int, 3>;
 
@@ -98,53 +104,75 @@ class SliverCollapse {
         const auto common = std::count_if(a.begin(), a.end(), [&](int v) { return b.contains(v); });
         if (common != 2) return false;
         const bool tiny = (point(from) - point(to)).norm() <= tinySide_;
+        int slivers = 0;  // more of them than before
         for (const std::size_t t : fans_[at(from)]) {
             const Ids& was = ids(t);
+            if (isSliver(was)) --slivers;
             if (std::find(was.begin(), was.end(), to) != was.end()) continue;
             Ids now = was;
             std::replace(now.begin(), now.end(), from, to);
-            if (isSliver(now) && !tiny) return false;
+            if (isSliver(now)) ++slivers;
             if (area(now).dot(outward(t)) < std::min(0.0, area(was).dot(outward(t)))) return false;
             if (!isSliver(was) && !isSliver(now) && area(was).dot(area(now)) <= 0.0) return false;
         }
-        return true;
+        return tiny || slivers < 0;
     }
 
     /// Gives a triangle its area by moving one of its corners within the surface: out of it, the
     /// triangle would stand across.
-    bool moveAside(std::size_t t) {
+    /// \param folded  the surface lies on itself here, to and fro: which way a triangle that nobody
+    /// can see is turned makes no difference then.
+    bool moveAside(std::size_t t, bool folded) {
         const Vec3 up = outward(t).normalized();
         if (!up.allFinite()) return false;
-        constexpr double kMoves = 1.5;  // of the least height; rounding may take some of it
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int v = ids(t)[k];
-            const Vec3 side = point(ids(t)[(k + 2) % 3]) - point(ids(t)[(k + 1) % 3]);
-            const Vec3 across = up.cross(side).normalized();
-            if (!across.allFinite()) continue;
-            for (const Vec3& way : {across, Vec3(-across)}) {
-                if (moveTo(v, point(v) + kMoves * leastHeight_ * way, t)) return true;
+        for (const double heights : kMoves) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int v = ids(t)[k];
+                const Vec3 side = point(ids(t)[(k + 2) % 3]) - point(ids(t)[(k + 1) % 3]);
+                const Vec3 across = up.cross(side).normalized();
+                if (!across.allFinite() || (folded && !isFolded(v))) continue;
+                for (const Vec3& way : {across, Vec3(-across)}) {
+                    if (moveTo(v, point(v) + heights * leastHeight_ * way, t, folded)) return true;
+                }
             }
         }
         return false;
     }
 
-    /// Moves a point unless a triangle at it turns over or loses its area; `mended` must get one.
-    bool moveTo(int v, const Vec3& place, std::size_t mended) {
+    /// Does a triangle at this point run backwards?
+    bool isFolded(int v) const {
+        const auto& fan = fans_[at(v)];
+        return std::any_of(fan.begin(), fan.end(),
+                           [&](std::size_t t) { return area(ids(t)).dot(outward(t)) < 0.0; });
+    }
+
+    /// Too low for anybody to see, though not for single precision.
+    bool isThin(const Ids& t) const {
+        return !hasArea(point(t[0]), point(t[1]), point(t[2]), kThin * leastHeight_);
+    }
+
+    /// Moves a point unless a triangle at it loses its area or turns over, thin ones that are
+    /// `folded` excepted; `mended` must get an area.
+    bool moveTo(int v, const Vec3& place, std::size_t mended, bool folded) {
         const auto& fan = fans_[at(v)];
         std::vector<Vec3> before;
         std::vector<bool> wasSliver;
+        std::vector<bool> mayTurn;
         for (const std::size_t t : fan) {
             before.push_back(area(ids(t)));
             wasSliver.push_back(isSliver(ids(t)));
+            mayTurn.push_back(folded && isThin(ids(t)));
         }
         const Vec3 from = point(v);
         surface_.positions[at(v)] = place;
-        bool fine = !isSliver(ids(mended)) && area(ids(mended)).dot(outward(mended)) > 0.0;
+        bool fine =
+            !isSliver(ids(mended)) && (folded || area(ids(mended)).dot(outward(mended)) > 0.0);
         for (std::size_t i = 0; fine && i < fan.size(); ++i) {
             const Vec3 now = area(ids(fan[i]));
             const Vec3 out = outward(fan[i]);
-            fine = wasSliver[i] ? now.dot(out) >= std::min(0.0, before[i].dot(out))
-                                : !isSliver(ids(fan[i])) && now.dot(before[i]) > 0.0;
+            const bool turned = wasSliver[i] ? now.dot(out) < std::min(0.0, before[i].dot(out))
+                                             : now.dot(before[i]) <= 0.0;
+            fine = (wasSliver[i] || !isSliver(ids(fan[i]))) && (!turned || mayTurn[i]);
         }
         if (!fine) surface_.positions[at(v)] = from;
         return fine;

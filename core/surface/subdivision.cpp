@@ -6,12 +6,14 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/tolerance.h"
 #include "core/surface/cage_edges.h"
 #include "core/surface/chord_flips.h"
 #include "core/surface/congruent_faces.h"
 #include "core/surface/flat_parts.h"
+#include "core/surface/side_key.h"
 #include "core/surface/sliver_collapse.h"
 #include "core/surface/surface_diagonal.h"
 #include "core/surface/surface_evaluator.h"
@@ -296,6 +298,7 @@ class Tessellator {
             addEdge(i, sides[k], rate);
             i += at(rate - 1);
         }
+        borderPoints_ = static_cast<int>(i);
         for (; i < p.coords.size(); ++i) {
             Vec3 position;
             Vec3 normal;
@@ -386,13 +389,24 @@ class Tessellator {
             return SurfacePoint{out_.positions[at(slot.position)],
                                 out_.normals[at(slot.normal)].cast<double>()};
         };
-        if (splitsAt02(corner)) {
+        if (freeDiagonal(q, splitsAt02(corner))) {
             emit(q[0], q[1], q[2]);
             emit(q[0], q[2], q[3]);
         } else {
             emit(q[0], q[1], q[3]);
             emit(q[1], q[2], q[3]);
         }
+    }
+
+    /// A diagonal between two points of the border cuts a corner of the face off. Where only two
+    /// faces meet in that corner, the other one may have cut it off by the same line, which would
+    /// be one edge with four triangles then.
+    bool freeDiagonal(const std::array<int, 4>& q, bool at02) {
+        const int from = at02 ? q[0] : q[1];
+        const int to = at02 ? q[2] : q[3];
+        if (from >= borderPoints_ || to >= borderPoints_) return at02;
+        const auto [a, b] = std::minmax(slots_[at(from)].position, slots_[at(to)].position);
+        return cutCorners_.insert(sideKey(a, b)).second ? at02 : !at02;
     }
 
     /// Where a corner lies straight between two others only the diagonal that begins at it leaves
@@ -420,10 +434,12 @@ class Tessellator {
     std::map<std::pair<int, const SurfacePattern*>, PointWeights> weights_;  ///< first: class
     std::vector<Cut> cuts_;                                                  ///< by face
     int face_ = -1;                                                          ///< under way
-    Vec3 faceNormal_ = Vec3::Zero();  ///< unit, of the control polygon
-    double room_ = 0.0;               ///< what counts as in a plane [mm]
-    double leastHeight_ = 0.0;        ///< of a triangle [mm]
-    bool lost_ = false;               ///< a face had no surface
+    Vec3 faceNormal_ = Vec3::Zero();                ///< unit, of the control polygon
+    double room_ = 0.0;                             ///< what counts as in a plane [mm]
+    double leastHeight_ = 0.0;                      ///< of a triangle [mm]
+    bool lost_ = false;                             ///< a face had no surface
+    int borderPoints_ = 0;                          ///< of the face under way; they come first
+    std::unordered_set<std::uint64_t> cutCorners_;  ///< diagonals between points of borders
     std::vector<int> key_;
     FaceSamples samples_;
     std::vector<int> vertexPositions_;

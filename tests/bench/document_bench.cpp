@@ -90,7 +90,8 @@ void openHistory(benchmark::State& state) {
                           kept.path));
     }
     const auto d = std::make_unique<Document>(shippedLibrary());
-    for (auto _ : state) need(d->open(kept.path));
+    // As the window does it.
+    for (auto _ : state) d->open(need(d->openTask(kept.path)()));
     state.counters["MiB"] = static_cast<double>(QFileInfo(kept.path).size()) / (1U << 20U);
     state.counters["faces"] = static_cast<double>(d->state().bodies.front().solid.faces().size());
 }

@@ -3,10 +3,10 @@
 // rightly.
 //
 //   modification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I] [--style NAME]
-//                [--threads T] [--dump DIR] [--reasons] [--list]
+//                [--threads T] [--dump DIR] [--reasons] [--list] [--told FILE]
 //
-// N drawings a case, in turn from the first five cameras from which it is legible. Deterministic in
-// the seed; times are not.
+// --told writes what calibrate reads. N drawings a case, in turn from the first five cameras from
+// which it is legible. Deterministic in the seed; times are not.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -43,6 +43,7 @@ struct Options {
     std::string dump;
     bool reasons = false;
     bool list = false;
+    std::string told;  ///< file for the probabilities
 };
 
 struct Goal {
@@ -126,6 +127,7 @@ void judge(const ModificationCase& c, const Interpretation& r, std::size_t level
         return;
     }
     const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
+    out.probability = k.probability;
     out.verdict = Verdict::WrongInSilence;
     if (!right(k)) {
         out.detail = "WRONG " + k.templateId + " " + k.aspect;
@@ -335,6 +337,12 @@ int run(const Options& options) {
                 options.count, static_cast<unsigned long long>(options.seed),
                 std::string(options.style.name).c_str());
     print(rows, jobs);
+    std::vector<Outcome> outcomes;
+    for (const Job& j : jobs) outcomes.push_back(j.outcome);
+    if (!options.told.empty() && !writeTold(options.told, outcomes)) {
+        std::fprintf(stderr, "cannot write %s\n", options.told.c_str());
+        return 2;
+    }
     if (options.reasons) {
         std::map<std::string, int> reasons;
         for (const Job& j : jobs) {
@@ -361,7 +369,7 @@ int usage(const std::string& problem) {
         stderr,
         "%s\nmodification [--count N] [--seed S] [--case TEXT] [--level NAME] [--index I]\n"
         "             [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons] "
-        "[--list]\n",
+        "[--list] [--told FILE]\n",
         problem.c_str());
     return 2;
 }
@@ -404,6 +412,8 @@ int main(int argc, char** argv) {
             options.threads = std::max(1, std::atoi(value.c_str()));
         else if (key == "--dump")
             options.dump = value;
+        else if (key == "--told")
+            options.told = value;
         else
             return usage("unknown option: " + key);
     }

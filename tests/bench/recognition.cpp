@@ -3,10 +3,12 @@
 //
 //   recognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I] [--style NAME]
 //               [--threads T] [--dump DIR] [--reasons] [--corners PX] [--eye WIDTHS]
+//               [--told FILE]
 //   recognition --drawings DIR     reads the drawings of a folder instead; see drawing_folder.h
 //
 // --corners: every corner is off by so much, the lines stay straight. --eye: in perspective, from
-// so many widths of the drawing away (templates without T junctions). N drawings a row (column of
+// so many widths of the drawing away (templates without T junctions). --told: writes what calibrate
+// reads. N drawings a row (column of
 // the table), the same solids and views on every level. Deterministic in the seed, whatever the
 // number of threads; times are not.
 #include <algorithm>
@@ -43,6 +45,7 @@ struct Options {
     std::string dump;
     bool reasons = false;
     std::string drawings;    ///< a folder to read instead
+    std::string told;        ///< file for the probabilities
     double cornersPx = 0.0;  ///< corners off by this, lines straight
     double eyeWidths = 0.0;  ///< distance of the eye [widths of the drawing], 0: parallel
 };
@@ -98,6 +101,7 @@ Outcome judge(const Drawing& drawing, const Interpretation& reading) {
         return out;
     }
     const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
+    out.probability = c.probability;
     if (!isRight(c, truth)) {
         out.verdict = Verdict::WrongInSilence;
         out.detail = "WRONG, accepted " + describe(c);
@@ -216,6 +220,12 @@ int run(const Options& options) {
         outcomes[level] = runLevel(options, level, load->library, again);
         counts = again;
     }
+    std::vector<Outcome> all;
+    for (const auto& level : outcomes) all.insert(all.end(), level.begin(), level.end());
+    if (!options.told.empty() && !writeTold(options.told, all)) {
+        std::fprintf(stderr, "cannot write %s\n", options.told.c_str());
+        return 2;
+    }
     Dump dump(options.dump);
     for (std::size_t level = 0; level < kLevels.size(); ++level) {
         for (const Outcome& o : outcomes[level]) dump.add(options, level, o);
@@ -244,7 +254,7 @@ int usage(const char* problem) {
         stderr,
         "%s\nrecognition [--count N] [--seed S] [--template ID] [--level NAME] [--index I]\n"
         "            [--style pen|mouse|designer|vector] [--threads T] [--dump DIR] [--reasons]\n"
-        "            [--corners PX] [--eye WIDTHS]\n"
+        "            [--corners PX] [--eye WIDTHS] [--told FILE]\n"
         "recognition --drawings DIR\n",
         problem);
     return 2;
@@ -294,6 +304,8 @@ int main(int argc, char** argv) {
             options.eyeWidths = std::atof(value.c_str());
         else if (key == "--drawings")
             options.drawings = value;
+        else if (key == "--told")
+            options.told = value;
         else
             return usage(("unknown option: " + key).c_str());
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <map>
 
@@ -125,6 +126,15 @@ void printReasons(const LevelSpec& level, const std::vector<Outcome>& outcomes) 
         std::printf("  %6d  %s\n", sorted[i].first, sorted[i].second.c_str());
     }
     std::printf("\n");
+}
+
+bool writeTold(const std::string& path, const std::vector<Outcome>& outcomes) {
+    std::ofstream out(path);
+    for (const Outcome& o : outcomes) {
+        if (!o.probability) continue;
+        out << *o.probability << ' ' << (o.verdict == Verdict::Right ? 1 : 0) << '\n';
+    }
+    return static_cast<bool>(out.flush());
 }
 
 }  // namespace ew::test

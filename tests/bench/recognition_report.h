@@ -40,6 +40,7 @@ struct Outcome {
     std::string detail;                 ///< why it is not right, one line
     std::optional<double> volumeError;  ///< relative; right cubes with a readable corner only
     bool amongCandidates = false;       ///< the right reading was offered
+    std::optional<double> probability;  ///< that was told of what was accepted
     double ms = 0.0;                    ///< time of interpret()
 };
 
@@ -47,6 +48,10 @@ struct Outcome {
 /// where not empty. Columns that were not run are left out.
 void printTable(const std::array<std::vector<Outcome>, kLevels.size()>& outcomes,
                 const std::string& only);
+
+/// Writes a line for what was accepted: the probability that was told, and 1 where it was right or
+/// 0; what `calibrate` reads. \return false where the file cannot be written.
+bool writeTold(const std::string& path, const std::vector<Outcome>& outcomes);
 
 /// The reasons of what was not right, most frequent first.
 void printReasons(const LevelSpec& level, const std::vector<Outcome>& outcomes);

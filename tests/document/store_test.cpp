@@ -16,6 +16,7 @@
 #include "core/document/store_schema.h"
 #include "tests/document/fixtures.h"
 #include "tests/document/later_version.h"
+#include "tests/document/store_rows.h"
 
 namespace ew {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 using test::doSomething;
 using test::fakeDocument;
 using test::line;
+using test::withRow;
 
 void expectSameInk(const Document& a, const Document& b) {
     ASSERT_EQ(a.pendingStrokes().size(), b.pendingStrokes().size());
@@ -64,8 +66,9 @@ RC_GTEST_PROP(Store, SaveAndOpenKeepTheWholeHistory, ()) {
     RC_ASSERT(saved.has_value());
     const auto e = fakeDocument();
     ASSERT_TRUE(e->addStroke(line({0, 0}, {9, 9})));  // gone after opening
-    const auto opened = e->open(path);
+    auto opened = e->openTask(path)();
     if (!opened) RC_FAIL(opened.error().message);
+    e->open(*std::move(opened));
     expectSame(*d, *e);
     RC_ASSERT(!e->isModified());
 
@@ -108,7 +111,9 @@ RC_GTEST_PROP(Store, WorkGoesOnAfterOpeningAsIfItHadNeverBeenClosed, ()) {
     const QString path = folder.filePath("d.edgewright");
     RC_ASSERT(d->save(path).has_value());
     const auto e = fakeDocument();
-    RC_ASSERT(e->open(path).has_value());
+    auto opened = e->openTask(path)();
+    RC_ASSERT(opened.has_value());
+    e->open(*std::move(opened));
     RC_ASSERT(d->canUndoInk() == e->canUndoInk());
     RC_ASSERT(d->canRedoInk() == e->canRedoInk());
     constexpr int kOtherReading = 11;  // which a file does not hold
@@ -191,23 +196,6 @@ TEST(Store, AFileWithChangedBytesIsRefusedOrReadAsItWas) {
         many[random() % many.size()] = static_cast<char>(random());
         expectWholeOrRefused(many, whole);
     }
-}
-
-/// The document with other fields in one of its rows, check sum and all.
-std::string withRow(const std::string& bytes, const Table& table, std::size_t number,
-                    const std::function<void(Row&)>& change) {
-    auto from = Database::overBytes(bytes, schema::kKind);
-    auto to = Database::inMemory(schema::kKind);
-    EXPECT_TRUE(from && to);
-    for (const Table& t : schema::kTables) {
-        std::size_t i = 0;
-        EXPECT_TRUE(from->each(t, [&](const Row& row) -> Result<void> {
-            Row copy = row;
-            if (t.name == table.name && i++ == number) change(copy);
-            return to->put(t, copy);
-        }));
-    }
-    return *to->bytes();
 }
 
 TEST(Store, RefusesWhatDoesNotHangTogether) {
@@ -324,12 +312,13 @@ TEST(Store, ALaterSchemaThatCannotBeReadIsRefused) {
 
 TEST(Store, OpeningCanBeGivenUp) {
     double told = -1.0;
-    const auto read = readDocument(richFile(), test::smallLibrary(), [&](double share) {
-        EXPECT_GE(share, 0.0);
-        EXPECT_LE(share, 1.0);
-        told = share;
-        return false;
-    });
+    const auto read =
+        readDocument(richFile(), test::smallLibrary(), {.progress = [&](double share) {
+                         EXPECT_GE(share, 0.0);
+                         EXPECT_LE(share, 1.0);
+                         told = share;
+                         return false;
+                     }});
     EXPECT_GE(told, 0.0);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, Errc::Cancelled);

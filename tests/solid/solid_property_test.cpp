@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "core/solid/solid.h"
 #include "tests/solid/shapes.h"
@@ -214,6 +218,58 @@ RC_GTEST_PROP(SolidProperty, RandomFacesNeverCrash, ()) {
 // The text form ----------------------------------------------------------------------------------
 
 std::string boxText() { return Solid::fromSpec(box(Vec3::Zero(), Vec3(1, 2, 3)))->serialize(); }
+
+TEST(DeferredSolid, IsReadWhenItIsLookedAtFirst) {
+    const Solid box = *Solid::fromSpec(test::box(Vec3::Zero(), Vec3(1, 2, 3)));
+    const std::string text = box.serialize();
+    int asked = 0;
+    const Solid deferred = Solid::deferred([&]() -> Result<std::string> {
+        ++asked;
+        return text;
+    });
+    const Solid copy = deferred;
+    EXPECT_TRUE(copy.sharesDataWith(deferred));
+    EXPECT_FALSE(copy.sharesDataWith(box));
+    EXPECT_EQ(asked, 0);
+    EXPECT_EQ(deferred.serialize(), text);
+    EXPECT_FALSE(deferred.isLoaded());
+    EXPECT_EQ(copy.faces().size(), 6U);
+    EXPECT_TRUE(deferred.isLoaded());
+    EXPECT_EQ(asked, 2) << "once to serialize it, once to read it";
+    EXPECT_TRUE(deferred.identicalTo(box));
+    EXPECT_EQ(deferred.serialize(), text);
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(deferred.load());
+}
+
+TEST(DeferredSolid, ThatIsNoneSaysSoEveryTime) {
+    const Solid broken =
+        Solid::deferred([]() -> Result<std::string> { return std::string("no solid"); });
+    const Solid lost =
+        Solid::deferred([]() -> Result<std::string> { return fail(Errc::Damaged, "It is gone."); });
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_FALSE(broken.load());
+        EXPECT_THROW(broken.vertices(), std::runtime_error);
+        EXPECT_EQ(lost.load().error().code, Errc::Damaged);
+    }
+    EXPECT_EQ(broken.serialize(), "no solid");
+}
+
+TEST(DeferredSolid, IsReadOnceByManyThreads) {
+    const std::string text = boxText();
+    std::atomic<int> asked = 0;
+    const Solid solid = Solid::deferred([&]() -> Result<std::string> {
+        ++asked;
+        return text;
+    });
+    std::atomic<std::size_t> faces = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < 8; ++i) threads.emplace_back([&] { faces += solid.faces().size(); });
+    }
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(faces, 48U);
+}
 
 TEST(SolidText, SaysWhatItHolds) {
     const std::string text = boxText();

@@ -267,6 +267,26 @@ TEST(Subdivision, FlatPartsHaveNoFoldsBesideSlivers) {
     }
 }
 
+TEST(Subdivision, ACornerOfTwoFacesIsNotCutOffByBothAlongOneLine) {
+    // A cube, one edge of which has a point in its middle, off the straight line.
+    ControlCage cage;
+    for (int i = 0; i < 8; ++i) cage.mesh.addPoint(Vec3(i & 1, i >> 1 & 1, i >> 2 & 1));
+    const int middle = cage.mesh.addPoint(Vec3(0.5, -0.4, -0.4));  // of the edge 0-1
+    cage.mesh.addFace({0, 2, 3, 1, middle});
+    cage.mesh.addFace({0, middle, 1, 5, 4});
+    cage.mesh.addFace({4, 5, 7, 6});
+    cage.mesh.addFace({2, 6, 7, 3});
+    cage.mesh.addFace({0, 4, 6, 2});
+    cage.mesh.addFace({1, 3, 7, 5});
+    for (int f = 0; f < 6; ++f) cage.origin.push_back(f);
+    ASSERT_TRUE(checkClosed(cage.mesh));
+    for (const int levels : {1, 2}) {
+        SubdivisionOptions options;
+        options.levels = levels;
+        EXPECT_TRUE(checkClosed(asMesh(surfaceOf(cage, options)))) << levels;
+    }
+}
+
 TEST(Subdivision, SeveralShellsAreOneSurface) {
     PolyhedronSpec spec = boxSpec({0, 0, 0}, {1, 1, 1});
     const PolyhedronSpec other = boxSpec({3, 0, 0}, {4, 1, 1});

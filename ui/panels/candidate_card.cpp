@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTextLayout>
+#include <algorithm>
 
 #include "ui/core_text.h"
 #include "ui/theme/appearance.h"
@@ -27,6 +28,25 @@ QString operationText(Operation operation) {
         default:
             return {};
     }
+}
+
+/// A probability in percent; never that something is sure or cannot be.
+static QString percentText(double probability) {
+    if (probability > 0.0 && probability < 0.005) return QStringLiteral("<1");
+    return QString::number(std::min(99, qRound(probability * 100)));
+}
+
+QString evidenceText(const Candidate& candidate) {
+    const int left = static_cast<int>(candidate.unusedStrokes.size());
+    QString out = CandidateCard::tr("explains all ink");
+    if (left > 0) {
+        out = CandidateCard::tr("%n stroke(s) not explained", nullptr, left);
+    } else if (candidate.extraEdges > 0) {
+        out = CandidateCard::tr("%n line(s) not explained", nullptr, candidate.extraEdges);
+    }
+    const int missing = candidate.missingEdges;
+    if (missing == 0) return out;
+    return out + QStringLiteral("; ") + CandidateCard::tr("%n edge(s) not drawn", nullptr, missing);
 }
 
 /// Wraps a text into a rectangle; what has no room is left out with an ellipsis.
@@ -63,11 +83,12 @@ void CandidateCard::show(const Candidate& candidate, const OrthographicCamera& c
     clear_ = clear;
     QString name = coreText(candidate.templateName);
     const QString reading = coreText(candidate.readingName);
-    setAccessibleName(tr("Reading %1: %2, %3, fit %4 %")
+    setAccessibleName(tr("Reading %1: %2, %3, %4 % likely")
                           .arg(index_ + 1)
                           .arg(name, reading)
-                          .arg(qRound(candidate.score * 100)));
-    QString notes;
+                          .arg(percentText(candidate.probability)));
+    QString notes = evidenceText(candidate) + QStringLiteral(". ");
+    notes.front() = notes.front().toUpper();
     for (const std::string& note : candidate.notes) notes += coreText(note) + ' ';
     setAccessibleDescription(notes);
     setToolTip(notes.trimmed());
@@ -118,16 +139,19 @@ void CandidateCard::paintEvent(QPaintEvent*) {
     text.setTop(text.top() + strong.height() + 3);
     p.setFont(font());
     p.setPen(clear_ ? c.ok : c.mutedText);
-    const QString fit = tr("%1 %").arg(qRound(candidate_.score * 100));
+    const QString likely = tr("%1 % likely").arg(percentText(candidate_.probability));
     const QString reading = candidate_.readingName.empty()
-                                ? fit
-                                : tr("%1 \u00b7 %2").arg(coreText(candidate_.readingName), fit);
+                                ? likely
+                                : tr("%1 \u00b7 %2").arg(likely, coreText(candidate_.readingName));
     p.drawText(text.left(), text.top() + plain.ascent(),
                plain.elidedText(reading, Qt::ElideRight, text.width()));
     text.setTop(text.top() + plain.height() + 3);
-    if (candidate_.notes.empty()) return;
     p.setPen(c.mutedText);
-    drawWholeLines(p, text, coreText(candidate_.notes.front()));
+    QString more = evidenceText(candidate_);
+    if (!candidate_.notes.empty())
+        more += QStringLiteral(". ") + coreText(candidate_.notes.front());
+    more.front() = more.front().toUpper();
+    drawWholeLines(p, text, more);
 }
 
 void CandidateCard::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -10,8 +10,8 @@ namespace ew {
 
 class Appearance;
 
-/// One candidate: its number, a picture from where the sketch was drawn, name, reading, fit and
-/// what was assumed.
+/// One candidate: its number, a picture from where the sketch was drawn, name, reading, how likely
+/// it is, what speaks for it and what was assumed.
 class CandidateCard : public QAbstractButton {
     Q_OBJECT
 
@@ -45,5 +45,8 @@ class CandidateCard : public QAbstractButton {
 
 /// "add", "cut" for people; empty for creating.
 QString operationText(Operation operation);
+
+/// What speaks for a reading and against it, in a few words: "explains all ink; 1 edge not drawn".
+QString evidenceText(const Candidate& candidate);
 
 }  // namespace ew

@@ -92,7 +92,7 @@ void HistoryPanel::refreshButtons() {
 
 void HistoryPanel::goTo(int row) {
     if (row < 0 || row == document_.undoStack().index()) return;
-    (void)document_.goToStep(row);
+    if (auto done = document_.goToStep(row); !done) emit failed(done.error());
 }
 
 bool HistoryPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/document/store.h"
 #include "ui/viewport/shape_picture.h"
 
 namespace ew {

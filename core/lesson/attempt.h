@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/document/document.h"
+#include "core/lesson/lesson.h"
+
+namespace ew {
+
+/// What becomes of a pupil's attempt at a step of a lesson.
+struct Attempt {
+    bool done = false;
+    std::string hint;         ///< empty where it is done; else the code of an error or of an Unlike
+    std::string message;      ///< a sentence for it
+    std::vector<Vec2> where;  ///< what the hint speaks of [Sketch Plane px]
+};
+
+/// Where a step of a lesson begins and what it wants.
+struct LessonStage {
+    std::shared_ptr<Document> begin;  ///< with the view and thresholds that the step is drawn with
+    std::shared_ptr<const DocumentState> wanted;
+};
+
+/// The steps of the solution that a pupil has to do in a step of the lesson, from the first of the
+/// returned to before the second. What stands before its strokes (the view, the thresholds, that an
+/// earlier solid goes) sets the stage and is done for the pupil; without strokes it is the task.
+std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t step);
+
+/// Replays the solution up to a step, and through it.
+/// \param step  from 0. Errors: BadValue for a step that is not there; those of a step of the
+///     solution that fails.
+Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step, const TemplateLibrary& shipped);
+
+/// Judges what a pupil did from where a step begins, by what the program understands of it: the
+/// strokes of the script are drawn (in any order, by any hand, from any side), its other steps are
+/// done, and strokes that are left are applied as the step's solution does it. Where the program
+/// asks which of several readings is meant, the wanted one is. Errors: those of stageOf(); BadValue
+/// for a script with steps that are not for lessons.
+Result<Attempt> tryStep(const Lesson& lesson, std::size_t step, const SketchScript& script,
+                        const TemplateLibrary& shipped);
+
+}  // namespace ew
