@@ -35,6 +35,7 @@ struct Arguments {
     QString theme;
     QSize size;
     QString screenshot;
+    QString lesson;
     bool firstFrame = false;
     bool startPage = false;
 };
@@ -60,6 +61,7 @@ void describe(QCommandLineParser& parser) {
     parser.addOption({"size", "Size of the window.", "WxH"});
     parser.addOption(
         {"screenshot", "Write a picture of the window (.png, .jpg), then quit.", "FILE"});
+    parser.addOption({"lesson", "Begin a lesson: its folder, or its .edgewright-lesson.", "FILE"});
     parser.addOption({"start-page", "Show recent documents and examples at first."});
     parser.addOption({"first-frame", "Print the time to the first picture [ms], then quit."});
 }
@@ -99,6 +101,7 @@ ew::Result<Arguments> readArguments() {
     if (!arguments.screenshot.isEmpty()) {
         if (auto ok = ew::checkPictureName(arguments.screenshot); !ok) return ew::fail(ok.error());
     }
+    arguments.lesson = parser.value("lesson");
     arguments.firstFrame = parser.isSet("first-frame");
     return arguments;
 }
@@ -192,7 +195,7 @@ int main(int argc, char** argv) {
     if (arguments->size.isValid()) window.resize(arguments->size);
     if (!load->problems.empty()) window.messages().showError(load->problems.front());
     const bool start = arguments->startPage || (options.remember && ew::MainWindow::wantsStart());
-    if (arguments->files.isEmpty() && start) window.showStart();
+    if (arguments->files.isEmpty() && arguments->lesson.isEmpty() && start) window.showStart();
     int status = 0;
     WhenShown* deed = nullptr;
     if (!arguments->screenshot.isEmpty()) {
@@ -204,6 +207,9 @@ int main(int argc, char** argv) {
     window.show();
     if (!arguments->files.isEmpty() && !windows.open(arguments->files, window)) {
         // A person sees it in the window; for a picture that nobody is there for, it is said here.
+        if (!options.remember) status = complain(window.messages().text().toStdString());
+    }
+    if (!arguments->lesson.isEmpty() && !window.beginLesson(arguments->lesson)) {
         if (!options.remember) status = complain(window.messages().text().toStdString());
     }
     if (deed != nullptr) deed->filesAreOpen();

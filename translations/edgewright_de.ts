@@ -371,6 +371,42 @@
         <translation>Es gibt schon %1 offene Striche; sie zuerst anwenden oder verwerfen.</translation>
     </message>
     <message>
+        <source>Nothing was made or changed yet.</source>
+        <translation>Noch wurde nichts angelegt oder geändert.</translation>
+    </message>
+    <message>
+        <source>More solids were made than are wanted; draw one at a time.</source>
+        <translation>Es sind mehr Körper entstanden als gewünscht; zeichne einen nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>It was done to the wrong side: what was to be added was cut, or the other way round.</source>
+        <translation>Es ging zur falschen Seite: Was hinzukommen sollte, wurde abgezogen, oder umgekehrt.</translation>
+    </message>
+    <message>
+        <source>It became another kind of shape.</source>
+        <translation>Es wurde eine andere Form daraus.</translation>
+    </message>
+    <message>
+        <source>The shape is right, but it is in the wrong place.</source>
+        <translation>Die Form stimmt, aber sie ist an der falschen Stelle.</translation>
+    </message>
+    <message>
+        <source>The shape is right, but its proportions are far from the wanted ones.</source>
+        <translation>Die Form stimmt, aber ihre Proportionen sind weit von den gewünschten entfernt.</translation>
+    </message>
+    <message>
+        <source>It was done with other edges, another size or another kind of surface.</source>
+        <translation>Es waren andere Kanten, eine andere Größe oder eine andere Art von Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The lesson has %1 steps.</source>
+        <translation>Die Lektion hat %1 Schritte.</translation>
+    </message>
+    <message>
+        <source>A lesson has no step %1.</source>
+        <translation>Eine Lektion hat keinen Schritt %1.</translation>
+    </message>
+    <message>
         <source>Nothing is drawn yet.</source>
         <translation>Es ist noch nichts gezeichnet.</translation>
     </message>
@@ -1555,6 +1591,79 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>compact</source>
         <translation>Verdichten</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonPanel</name>
+    <message>
+        <source>Hint</source>
+        <translation>Tipp</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Zeig es mir</translation>
+    </message>
+    <message>
+        <source>A pen draws the lines for you to follow.</source>
+        <translation>Ein Stift zeichnet die Linien vor.</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Begins this step again.</source>
+        <translation>Beginnt diesen Schritt noch einmal.</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Done. %1</source>
+        <translation>Geschafft. %1</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonActions</name>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 min)</source>
+        <translation>%1 (%2 min)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>Lektion ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>Lektionen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonDock</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
     </message>
 </context>
 <context>

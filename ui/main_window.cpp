@@ -30,6 +30,7 @@
 #include "ui/body_selection.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/edge_selection.h"
+#include "ui/lesson/lesson_dock.h"
 #include "ui/live_reading.h"
 #include "ui/number_box.h"
 #include "ui/panels/body_panel.h"
@@ -193,6 +194,9 @@ void MainWindow::buildActions() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* quick = help->addAction(tr("&Quick help"), this, [this] { showQuickHelp(this); });
     quick->setShortcut(QKeySequence::HelpContents);
+    lesson_ = new LessonDock(
+        context, [this] { return files_->mayDiscard(); }, this);
+    lesson_->fill(help);
     help->addAction(tr("&Keyboard shortcuts"), this,
                     [this] { showShortcuts(this, menuBar()->actions()); });
     help->addSeparator();
@@ -236,6 +240,8 @@ void MainWindow::buildStart() {
         if (what != DocumentChange::Camera) leaveStart();
     });
 }
+
+bool MainWindow::beginLesson(const QString& path) { return lesson_->begin(path); }
 
 bool MainWindow::wantsStart() { return QSettings().value(kShowStart, true).toBool(); }
 

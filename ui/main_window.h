@@ -22,6 +22,7 @@ class FileActions;
 class LiveReading;
 class MessageBar;
 class PointerPlace;
+class LessonDock;
 class PullController;
 class RecentActions;
 class SketchActions;
@@ -75,6 +76,10 @@ class MainWindow : public QMainWindow {
     /// Null where no list of recent files is kept.
     StartPage* startPage() { return start_; }
     SurfaceController& surface() { return *surface_; }
+    LessonDock& lesson() { return *lesson_; }
+    /// Begins a lesson, after asking about work that is not saved; false where it does not, which
+    /// the message bar says.
+    bool beginLesson(const QString& path);
     /// Null where no working copies are kept.
     WorkKeeper* workKeeper() { return work_; }
 
@@ -125,6 +130,7 @@ class MainWindow : public QMainWindow {
     SketchActions* sketches_ = nullptr;
     SurfaceController* surface_ = nullptr;
     SurfaceActions* surfaces_ = nullptr;
+    LessonDock* lesson_ = nullptr;
     WorkKeeper* work_ = nullptr;
     RecentActions* recent_ = nullptr;
     QStackedWidget* pages_ = nullptr;

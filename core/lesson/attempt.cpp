@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/attempt.h"
 
-#include <algorithm>
+#include <QUndoStack>
+#include <cmath>
 #include <utility>
 
 #include "core/document/replay.h"
@@ -36,29 +37,6 @@ Result<void> runSolution(Document& document, const Lesson& lesson, std::size_t f
     return {};
 }
 
-std::string sentence(Unlike unlike) {
-    switch (unlike) {
-        case Unlike::Nothing:
-            return {};
-        case Unlike::NotYet:
-            return "Nothing was made or changed yet.";
-        case Unlike::Bodies:
-            return "More solids were made than are wanted; draw one at a time.";
-        case Unlike::Side:
-            return "It was done to the wrong side: what was to be added was cut, or the other way "
-                   "round.";
-        case Unlike::Shape:
-            return "It became another kind of shape.";
-        case Unlike::Place:
-            return "The shape is right, but it is in the wrong place.";
-        case Unlike::Proportions:
-            return "The shape is right, but its proportions are far from the wanted ones.";
-        case Unlike::Settings:
-            return "It was done with other edges, another size or another kind of surface.";
-    }
-    return {};
-}
-
 /// What the strokes that are left are for.
 const ScriptStep* lastDeed(const Lesson& lesson, std::size_t step) {
     const auto [begin, end] = taskOf(lesson, step);
@@ -74,16 +52,13 @@ const ScriptStep* lastDeed(const Lesson& lesson, std::size_t step) {
 class Judge {
   public:
     Judge(const LessonStage& stage, Document& pupil, double tolerance)
-        : before_(stage.begin->state()),
-          wanted_(*stage.wanted),
-          pupil_(pupil),
-          tolerance_(tolerance) {}
+        : stage_(stage), pupil_(pupil), tolerance_(tolerance) {}
 
-    Unlike unlike() const { return likeness(before_, wanted_, pupil_.state(), tolerance_); }
+    Unlike unlike() const { return stageUnlike(stage_, pupil_, tolerance_); }
 
     Attempt verdict() const {
         const Unlike how = unlike();
-        return {how == Unlike::Nothing, unlikeName(how), sentence(how), {}};
+        return {how == Unlike::Nothing, unlikeName(how), unlikeSentence(how), {}};
     }
     static Attempt failed(const Error& error) {
         return {false, std::string(errcName(error.code)), error.message, error.where};
@@ -109,8 +84,7 @@ class Judge {
     }
 
   private:
-    const DocumentState& before_;
-    const DocumentState& wanted_;
+    const LessonStage& stage_;
     Document& pupil_;
     double tolerance_;
 };
@@ -128,6 +102,18 @@ std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t ste
     return {begin < to && isStroke(begin) ? begin : from, to};
 }
 
+Unlike stageUnlike(const LessonStage& stage, const Document& pupil, double tolerance) {
+    const Unlike how = likeness(stage.begin->state(), *stage.wanted, pupil.state(), tolerance);
+    if (how != Unlike::Nothing || !stage.thresholds) return how;
+    const Thresholds& is = pupil.thresholds();
+    const Thresholds& wish = *stage.thresholds;
+    if (is == stage.begin->thresholds()) return Unlike::NotYet;
+    constexpr double kNear = 0.25;
+    const bool near = std::abs(is.distancePx - wish.distancePx) <= kNear * wish.distancePx &&
+                      std::abs(is.angleDeg - wish.angleDeg) <= kNear * wish.angleDeg;
+    return near ? Unlike::Nothing : Unlike::Settings;
+}
+
 Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step,
                             const TemplateLibrary& shipped) {
     if (step >= lesson.steps.size()) {
@@ -142,8 +128,8 @@ Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step,
     out.begin = std::make_shared<Document>(shipped);
     out.begin->restore(solution.contents(), {});
     if (auto ok = runSolution(solution, lesson, begin, end); !ok) return fail(ok.error());
-    const int steps = static_cast<int>(solution.contents().commands.size());
-    out.wanted = solution.stateAt(std::min(steps, solution.contents().index));
+    out.wanted = solution.stateAt(solution.undoStack().index());
+    if (solution.thresholds() != out.begin->thresholds()) out.thresholds = solution.thresholds();
     return out;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/document/document.h"
 #include "core/lesson/lesson.h"
+#include "core/lesson/likeness.h"
 
 namespace ew {
 
@@ -23,7 +25,12 @@ struct Attempt {
 struct LessonStage {
     std::shared_ptr<Document> begin;  ///< with the view and thresholds that the step is drawn with
     std::shared_ptr<const DocumentState> wanted;
+    std::optional<Thresholds> thresholds;  ///< where they are the task
 };
+
+/// What keeps a document from being what the stage wants: likeness(), and the thresholds within a
+/// quarter where these are the task.
+Unlike stageUnlike(const LessonStage& stage, const Document& pupil, double tolerance);
 
 /// The steps of the solution that a pupil has to do in a step of the lesson, from the first of the
 /// returned to before the second. What stands before its strokes (the view, the thresholds, that an

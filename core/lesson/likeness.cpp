@@ -204,7 +204,7 @@ std::pair<int, double> fillets(const SurfaceSettings& settings) {
     return {count, count > 0 ? sum / count : 0.0};
 }
 
-bool isSmooth(const SubdivisionSettings& s) { return s.levels > 0 || s.tolerance > 0.0; }
+bool isSmooth(const SubdivisionSettings& s) { return s.on; }
 
 Unlike likenessOfSettings(const DocumentState& before, const DocumentState& wanted,
                           const DocumentState& made, double tolerance) {
@@ -244,6 +244,29 @@ std::string unlikeName(Unlike unlike) {
             return "wrong-proportions";
         case Unlike::Settings:
             return "wrong-settings";
+    }
+    return {};
+}
+
+std::string unlikeSentence(Unlike unlike) {
+    switch (unlike) {
+        case Unlike::Nothing:
+            return {};
+        case Unlike::NotYet:
+            return "Nothing was made or changed yet.";
+        case Unlike::Bodies:
+            return "More solids were made than are wanted; draw one at a time.";
+        case Unlike::Side:
+            return "It was done to the wrong side: what was to be added was cut, or the other way "
+                   "round.";
+        case Unlike::Shape:
+            return "It became another kind of shape.";
+        case Unlike::Place:
+            return "The shape is right, but it is in the wrong place.";
+        case Unlike::Proportions:
+            return "The shape is right, but its proportions are far from the wanted ones.";
+        case Unlike::Settings:
+            return "It was done with other edges, another size or another kind of surface.";
     }
     return {};
 }

@@ -22,6 +22,9 @@ enum class Unlike {
 /// Stable text of it; empty for Nothing.
 std::string unlikeName(Unlike unlike);
 
+/// A sentence that says it to a pupil; empty for Nothing.
+std::string unlikeSentence(Unlike unlike);
+
 /// Compares what a step of a lesson made. Where it makes or changes solids, their counts of
 /// corners, edges and faces count, and their proportions within `tolerance`; where a solid is, how
 /// it is turned and how large it is do not, nor which of the places of a change it is that a turn

@@ -17,6 +17,7 @@
 #include "core/reading/propose/whole_drawing.h"
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/picture_evidence.h"
+#include "core/reading/score/probability.h"
 #include "core/reading/types/reading_params.h"
 #include "core/solid/boolean.h"
 #include "core/solid/solid.h"
@@ -347,6 +348,7 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         return readDrawing(changed, library, options);
     };
     findCause(strokes, library, options, again, reading);
+    if (!reading.accepted) tellProbabilitiesOfQuestion(reading.candidates);
     return reading;
 }
 

@@ -4,9 +4,10 @@
 //   recognition --told free.txt; modification --told solid.txt
 //   calibrate free.txt solid.txt
 //
-// Prints, for bins of told probability, which share was told to be wrong and which was; then the
-// line over log odds that would make them agree (Platt 1999), whose two numbers scale and shift the
-// constants of core/reading/score/probability.cpp.
+// Prints, for bins of told probability, which share was told to be wrong and which was: of what was
+// accepted, and of the first readings of what was asked about. Then the line over log odds that
+// would make them agree in all (Platt 1999), whose two numbers scale and shift the constants of
+// core/reading/score/probability.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +20,7 @@ namespace {
 struct Told {
     double probability = 0.0;
     bool right = false;
+    bool accepted = false;
 };
 
 double logOdds(double p) {
@@ -34,19 +36,24 @@ bool read(const char* path, std::vector<Told>& out) {
     if (!in) return false;
     double probability = 0.0;
     int right = 0;
-    while (in >> probability >> right) out.push_back({probability, right == 1});
+    int accepted = 0;
+    while (in >> probability >> right >> accepted) {
+        out.push_back({probability, right == 1, accepted == 1});
+    }
     return in.eof();
 }
 
-void printBins(const std::vector<Told>& told) {
+void printBins(const char* what, const std::vector<Told>& told, bool accepted) {
     constexpr std::array<double, 6> kEdges{0.0, 0.5, 0.9, 0.99, 0.999, 1.0 + 1e-9};
-    std::printf("%-16s %9s %12s %12s %8s\n", "told", "accepted", "wrong, told", "wrong", "ratio");
+    std::printf("%-16s %9s %12s %12s %8s\n", what, "drawings", "wrong, told", "wrong", "ratio");
     for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
         double expected = 0.0;
         int n = 0;
         int wrong = 0;
         for (const Told& t : told) {
-            if (t.probability < kEdges[b] || t.probability >= kEdges[b + 1]) continue;
+            if (t.accepted != accepted || t.probability < kEdges[b] ||
+                t.probability >= kEdges[b + 1])
+                continue;
             ++n;
             wrong += t.right ? 0 : 1;
             expected += 1.0 - t.probability;
@@ -99,10 +106,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "calibrate FILE...   files that recognition --told wrote\n");
         return 2;
     }
-    printBins(told);
+    const auto print = [&] {
+        printBins("accepted", told, true);
+        printBins("asked about", told, false);
+    };
+    print();
     const auto [scale, shift] = fit(told);
     std::printf("\nlog odds: %.3f times what was told, %+.3f\n\n", scale, shift);
     for (Told& t : told) t.probability = sigmoid(scale * logOdds(t.probability) + shift);
-    printBins(told);
+    print();
     return 0;
 }

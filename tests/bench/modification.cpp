@@ -121,13 +121,17 @@ void judge(const ModificationCase& c, const Interpretation& r, std::size_t level
     for (const Candidate& k : r.candidates) {
         out.amongCandidates |= right(k) && volumeOff(k) <= kVolume[level] * change + slack;
     }
+    if (!r.candidates.empty()) {
+        const Candidate& told = r.candidates[static_cast<std::size_t>(r.accepted.value_or(0))];
+        out.probability = told.probability;
+        out.toldRight = right(told) && volumeOff(told) <= kVolume[level] * change + slack;
+    }
     if (!r.accepted) {
         out.detail = r.problem ? std::string(errcName(r.problem->code)) : "no reason given";
         out.detail += out.amongCandidates ? " (offered)" : " (not offered)";
         return;
     }
     const Candidate& k = r.candidates[static_cast<std::size_t>(*r.accepted)];
-    out.probability = k.probability;
     out.verdict = Verdict::WrongInSilence;
     if (!right(k)) {
         out.detail = "WRONG " + k.templateId + " " + k.aspect;

@@ -93,6 +93,11 @@ Outcome judge(const Drawing& drawing, const Interpretation& reading) {
     Outcome out;
     out.templateId = truth.templateId;
     for (const Candidate& c : reading.candidates) out.amongCandidates |= isRight(c, truth);
+    if (!reading.candidates.empty()) {
+        const auto told = static_cast<std::size_t>(reading.accepted.value_or(0));
+        out.probability = reading.candidates[told].probability;
+        out.toldRight = isRight(reading.candidates[told], truth);
+    }
     if (!reading.accepted) {
         out.verdict = Verdict::NotAccepted;
         out.detail =
@@ -101,7 +106,6 @@ Outcome judge(const Drawing& drawing, const Interpretation& reading) {
         return out;
     }
     const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
-    out.probability = c.probability;
     if (!isRight(c, truth)) {
         out.verdict = Verdict::WrongInSilence;
         out.detail = "WRONG, accepted " + describe(c);

@@ -132,7 +132,8 @@ bool writeTold(const std::string& path, const std::vector<Outcome>& outcomes) {
     std::ofstream out(path);
     for (const Outcome& o : outcomes) {
         if (!o.probability) continue;
-        out << *o.probability << ' ' << (o.verdict == Verdict::Right ? 1 : 0) << '\n';
+        out << *o.probability << ' ' << (o.toldRight ? 1 : 0) << ' '
+            << (o.verdict == Verdict::NotAccepted ? 0 : 1) << '\n';
     }
     return static_cast<bool>(out.flush());
 }

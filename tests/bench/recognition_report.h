@@ -40,7 +40,8 @@ struct Outcome {
     std::string detail;                 ///< why it is not right, one line
     std::optional<double> volumeError;  ///< relative; right cubes with a readable corner only
     bool amongCandidates = false;       ///< the right reading was offered
-    std::optional<double> probability;  ///< that was told of what was accepted
+    std::optional<double> probability;  ///< told of what was accepted, else of the first candidate
+    bool toldRight = false;             ///< was that one right?
     double ms = 0.0;                    ///< time of interpret()
 };
 
@@ -49,8 +50,9 @@ struct Outcome {
 void printTable(const std::array<std::vector<Outcome>, kLevels.size()>& outcomes,
                 const std::string& only);
 
-/// Writes a line for what was accepted: the probability that was told, and 1 where it was right or
-/// 0; what `calibrate` reads. \return false where the file cannot be written.
+/// Writes a line for each drawing that was read: the probability that was told of what was accepted
+/// or, where none was, of the first candidate; 1 where that was right, else 0; 1 where it was
+/// accepted, else 0. `calibrate` reads it. \return false where the file cannot be written.
 bool writeTold(const std::string& path, const std::vector<Outcome>& outcomes);
 
 /// The reasons of what was not right, most frequent first.

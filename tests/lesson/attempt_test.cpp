@@ -158,6 +158,16 @@ TEST(Attempts, OnASolidThePlaceAndTheSideCount) {
     EXPECT_EQ(attempt(lesson, 1, ruled(away)).hint, "wrong-place");
 }
 
+TEST(Attempts, AStepAboutTheThresholdsIsDoneByThem) {
+    const Lesson lesson = lessonOf("thresholds");
+    EXPECT_EQ(attempt(lesson, 1, {}).hint, "not-yet");
+    SketchScript script;
+    script.steps.push_back(ThresholdsStep{60.0, std::nullopt});
+    EXPECT_EQ(attempt(lesson, 1, script).hint, "wrong-settings");
+    script.steps.push_back(ThresholdsStep{32.0, std::nullopt});
+    EXPECT_TRUE(attempt(lesson, 1, script).done);
+}
+
 TEST(Attempts, WhatIsNoDrawingIsNoStepForLessons) {
     const Lesson lesson = lessonOf("first-box");
     SketchScript script;

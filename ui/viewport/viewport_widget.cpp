@@ -62,6 +62,7 @@ struct ViewportWidget::Private {
     bool occlusion = false;
     bool readingShown = true;
     bool overlayStale = true;
+    std::optional<Ghost> ghost;  ///< strokes to trace
     bool shapeStale = true;
     bool cage = false;
     std::vector<EdgeRef> chosen;
@@ -187,6 +188,12 @@ void ViewportWidget::setMoving(bool on) {
 
 void ViewportWidget::setChosenEdges(const std::vector<EdgeRef>& edges) {
     d_->chosen = edges;
+    update();
+}
+
+void ViewportWidget::setGhost(std::optional<Ghost> ghost) {
+    d_->ghost = std::move(ghost);
+    d_->overlayStale = true;
     update();
 }
 
@@ -326,11 +333,12 @@ bool ViewportWidget::updateOverlay(const OrthographicCamera& view) {
     d.overlay.clear();
     const auto& mirror = d.document.state().mirror;
     const bool read = d.readingShown && anything;
-    if (read || mirror) {
+    if (read || mirror || d.ghost) {
         QPainter painter(&d.overlay.image());
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setFont(font());
         const ThemeColours& colours = d.appearance.colours();
+        if (d.ghost) paintGhost(painter, *d.ghost, view, colours);
         if (mirror) paintMirror(painter, *mirror, d.document.state().bodies, view, colours);
         ReadingOverlay shown{
             &d.reading.reading(),    d.reading.sketchCamera(), view,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/document/document.h"
+#include "ui/viewport/ghost_overlay.h"
 
 namespace ew {
 
@@ -50,6 +51,9 @@ class ViewportWidget : public QOpenGLWidget {
     void setMoving(bool on);
     /// Edges that are marked as chosen.
     void setChosenEdges(const std::vector<EdgeRef>& edges);
+
+    /// Strokes to trace; nothing: none.
+    void setGhost(std::optional<Ghost> ghost);
 
     /// Time that the newest frame took in this widget, without the swap [ms].
     double lastFrameMs() const;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/reading/score/probability.h"
 #include "core/solid/boolean.h"
 #include "core/solid/exact_tool.h"
 #include "core/solid/visibility.h"
@@ -100,6 +101,7 @@ class CuttingLine {
         }
         if (out_.candidates.empty()) return refused(*why);
         out_.accepted = 0;
+        tellProbabilities(out_.candidates, out_.graph.edges.size());
         return std::move(out_);
     }
 
@@ -278,7 +280,10 @@ class CuttingLine {
         std::sort(near.begin(), near.end(),
                   [](const Corner& a, const Corner& b) { return a.px < b.px; });
         const std::size_t free = plane.square ? 1 : plane.rules.empty() ? 3 : 2;
-        if (near.size() > free) near.resize(free);
+        const auto keep = [&near](std::size_t count) {
+            near.erase(near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+        };
+        if (near.size() > free) keep(free);
         if (near.empty()) return;
         const auto p = [&](std::size_t k) { return solid().vertices()[at(near[k].vertex)]; };
         if (near.size() == free && free == 2) {
@@ -289,7 +294,7 @@ class CuttingLine {
             if (normal.norm() < 1e-6 * (p(1) - p(0)).norm() * (p(2) - p(0)).norm()) return;
             plane.normal = normal.normalized();
         } else {
-            near.resize(1);
+            keep(1);
         }
         plane.offset = plane.normal.dot(p(0));
         for (const Corner& c : near) {

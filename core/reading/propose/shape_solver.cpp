@@ -210,6 +210,12 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
     }
     describe(h, *f, out);
     out.guessed = endsUnseen(out.solid, h);
+    const std::vector<double> sides = seenSides(*f, h);
+    out.lines = static_cast<int>(sides.size());
+    // The ends of so short a side may be one corner, which lines of this hand missed.
+    out.tiny = !isExact() && std::any_of(sides.begin(), sides.end(), [&](double length) {
+        return length < params::kTinySide * spread_;
+    });
     return out;
 }
 
@@ -236,6 +242,23 @@ bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
         }
     }
     return false;
+}
+
+std::vector<double> ShapeSolver::seenSides(const PlaneFit& f, const ShapeHypothesis& h) const {
+    std::map<std::pair<int, int>, double> sides;
+    for (const std::vector<int>& loop : h.rough.faces) {
+        const std::size_t n = loop.size();
+        const auto p = [&](std::size_t k) -> Vec2 { return f.camera[at(loop[k % n])].head<2>(); };
+        double area = 0.0;
+        for (std::size_t k = 0; k < n; ++k) area += cross2(p(k), p(k + 1));
+        if (area >= 0.0) continue;  // looks away; y is down
+        for (std::size_t k = 0; k < n; ++k) {
+            sides[std::minmax(loop[k], loop[(k + 1) % n])] = (p(k + 1) - p(k)).norm();
+        }
+    }
+    std::vector<double> out;
+    for (const auto& [side, length] : sides) out.push_back(length);
+    return out;
 }
 
 /// In millimetres and in the world, with the nearest corner in the Sketch Plane.

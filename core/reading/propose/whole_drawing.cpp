@@ -63,7 +63,7 @@ class WholeReader {
 
   private:
     static constexpr std::size_t kFewestLines = 6;
-    static constexpr std::size_t kManyLines = 16;
+    static constexpr int kManyLines = 16;
     static constexpr std::size_t kMostFrames = 6;
     static constexpr int kMostFramesTried = 16;  ///< of all graphs
     static constexpr double kSureFrame = 0.9;    ///< share of the lines along an axis
@@ -245,11 +245,10 @@ class WholeReader {
         // none: what is of no family is not taken then, and of a family what is far from others.
         const bool unsteady = endSpread(ink_.segments, options_.thresholds.distancePx) >
                               kUnsteadySpread * options_.thresholds.distancePx;
-        const bool few =
-            unsteady && !found.front().known && found.front().graph->edges.size() < kManyLines;
+        const bool few = unsteady && !found.front().known && found.front().lines < kManyLines;
         const bool doubtful = few || found.front().faint;
         if (doubtful && !isSure(found.front())) return false;
-        if (found.front().guessed) return false;
+        if (found.front().guessed || found.front().tiny) return false;
         return std::none_of(found.begin() + 1, found.end(), [&](const SolvedShape& other) {
             double margin = params::kWholeMargin;
             if (found.front().exact) margin = params::kExactMargin;

@@ -16,4 +16,8 @@ namespace ew {
 void tellProbabilities(std::vector<Candidate>& candidates, std::size_t lines,
                        double other = std::numeric_limits<double>::infinity());
 
+/// The same for a reading that is not taken by itself: what made it a question is in no cost. Of
+/// first readings that were asked about less than half were meant (tests/bench/calibrate).
+void tellProbabilitiesOfQuestion(std::vector<Candidate>& candidates);
+
 }  // namespace ew

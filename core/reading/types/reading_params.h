@@ -114,6 +114,10 @@ inline constexpr double kDoubtfulMargins = 2.0;
 /// deviations of a drawn corner].
 inline constexpr double kFaintCorner = 2.5;
 
+/// A side of a face shorter than this may be one corner that lines missed [standard deviations of a
+/// drawn corner].
+inline constexpr double kTinySide = 3.0;
+
 /// Price of a direction of faces that is across no axis of a solid, besides its freedom.
 inline constexpr double kSlantedFacesCost = 6.0;
 

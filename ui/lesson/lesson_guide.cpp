@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_guide.h"
+
+#include <QSettings>
+#include <QUndoStack>
+#include <algorithm>
+#include <variant>
+
+#include "core/document/store.h"
+#include "ui/viewport/ghost_overlay.h"
+#include "ui/viewport/viewport_widget.h"
+
+namespace ew {
+
+namespace {
+
+constexpr int kPenPeriodMs = 30;
+constexpr double kPenMs = 4'000.0;  // for all strokes of a step
+constexpr double kFirstOpacity = 0.55;
+constexpr double kFade = 0.12;  // from step to step
+constexpr double kLeastOpacity = 0.15;
+
+QString settingOf(const std::string& lessonId) {
+    return QStringLiteral("lessons/") + QString::fromStdString(lessonId);
+}
+
+}  // namespace
+
+LessonGuide::LessonGuide(const WindowContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
+    connect(&context_.document, &Document::changed, this, &LessonGuide::documentChanged);
+    pen_.setInterval(kPenPeriodMs);
+    connect(&pen_, &QTimer::timeout, this, [this] {
+        drawn_ += kPenPeriodMs / kPenMs;
+        if (drawn_ >= 1.0) pen_.stop();
+        showGhost(std::min(drawn_, 1.0));
+    });
+}
+
+Result<void> LessonGuide::start(const QString& path) {
+    auto lesson = readLesson(path);
+    if (!lesson) return fail(lesson.error());
+    // A lesson is about the templates that the window has.
+    TemplateLibrary library = context_.document.stateAt(0)->library;
+    if (auto first = stageOf(*lesson, 0, library); !first) return fail(first.error());
+    lesson_ = *std::move(lesson);
+    shipped_ = std::move(library);
+    stars_.assign(lesson_->steps.size(), 0);
+    return begin(0);
+}
+
+void LessonGuide::stop() {
+    if (!running()) return;
+    lesson_.reset();
+    pen_.stop();
+    context_.viewport.setGhost(std::nullopt);
+    emit changed();
+}
+
+Result<void> LessonGuide::begin(std::size_t step) {
+    auto stage = stageOf(*lesson_, step, shipped_);
+    if (!stage) return fail(stage.error());
+    stage_ = *std::move(stage);
+    step_ = step;
+    done_ = false;
+    remark_.clear();
+    drawnStrokes_ = 0;
+    pending_ = 0;
+    beginning_ = true;
+    context_.document.restore(stage_.begin->contents(), {});
+    beginning_ = false;
+    pen_.stop();
+    showGhost(0.0);
+    emit changed();
+    return {};
+}
+
+void LessonGuide::next() {
+    if (!running() || !done_) return;
+    if (isLast()) {
+        stop();
+        return;
+    }
+    if (auto ok = begin(step_ + 1); !ok) emit failed(ok.error());
+}
+
+void LessonGuide::again() {
+    if (!running()) return;
+    if (auto ok = begin(step_); !ok) emit failed(ok.error());
+}
+
+void LessonGuide::showStrokes() {
+    if (!running()) return;
+    drawn_ = 0.0;
+    pen_.start();
+}
+
+void LessonGuide::showGhost(double drawn) {
+    Ghost ghost;
+    ghost.camera = stage_.begin->camera();
+    ghost.opacity = std::max(kLeastOpacity, kFirstOpacity - kFade * static_cast<double>(step_));
+    ghost.drawn = drawn;
+    const auto [from, to] = taskOf(*lesson_, step_);
+    for (std::size_t i = from; i < to; ++i) {
+        const auto* stroke = std::get_if<StrokeStep>(&lesson_->solution.steps[i]);
+        if (stroke != nullptr) ghost.strokes.push_back(stroke->stroke);
+    }
+    if (done_ || ghost.strokes.empty())
+        context_.viewport.setGhost(std::nullopt);
+    else
+        context_.viewport.setGhost(std::move(ghost));
+}
+
+void LessonGuide::documentChanged(DocumentChange what) {
+    if (!running() || beginning_) return;
+    if (what == DocumentChange::Ink) {
+        const std::size_t now = context_.document.pendingStrokes().size();
+        if (now > pending_) drawnStrokes_ += static_cast<int>(now - pending_);
+        pending_ = now;
+        return;
+    }
+    const bool matters = what == DocumentChange::Shape || what == DocumentChange::Thresholds ||
+                         what == DocumentChange::Library || what == DocumentChange::Bodies;
+    if (!matters || judgeSoon_) return;
+    judgeSoon_ = true;
+    // One change is told in several signals.
+    QMetaObject::invokeMethod(this, &LessonGuide::judge, Qt::QueuedConnection);
+}
+
+void LessonGuide::judge() {
+    judgeSoon_ = false;
+    if (!running()) return;
+    const Unlike how = stageUnlike(stage_, context_.document, lesson_->steps[step_].tolerance);
+    remark_ = how == Unlike::NotYet ? std::string() : unlikeSentence(how);
+    if (how == Unlike::Nothing && !done_) {
+        done_ = true;
+        const auto [from, to] = taskOf(*lesson_, step_);
+        int wanted = 0;
+        for (std::size_t i = from; i < to; ++i) {
+            wanted += std::holds_alternative<StrokeStep>(lesson_->solution.steps[i]) ? 1 : 0;
+        }
+        constexpr int kThree = 3;
+        const bool few = drawnStrokes_ <= wanted;
+        const bool some = 2 * drawnStrokes_ <= 3 * wanted;
+        stars_[step_] = few ? kThree : some ? 2 : 1;
+        pen_.stop();
+        showGhost(0.0);
+        remember();
+    }
+    emit changed();
+}
+
+void LessonGuide::remember() const {
+    std::vector<int> best = rememberedStars(lesson_->id);
+    best.resize(stars_.size());
+    QStringList words;
+    for (std::size_t i = 0; i < stars_.size(); ++i) {
+        words << QString::number(std::max(best[i], stars_[i]));
+    }
+    QSettings().setValue(settingOf(lesson_->id), words.join(QLatin1Char(' ')));
+}
+
+std::vector<int> rememberedStars(const std::string& lessonId) {
+    std::vector<int> out;
+    const QString text = QSettings().value(settingOf(lessonId)).toString();
+    for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        constexpr int kMost = 3;
+        out.push_back(std::clamp(word.toInt(), 0, kMost));
+    }
+    return out;
+}
+
+}  // namespace ew

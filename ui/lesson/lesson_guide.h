@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <optional>
+#include <vector>
+
+#include "core/lesson/attempt.h"
+#include "ui/window_context.h"
+
+namespace ew {
+
+/// Leads through a lesson in a window: brings the document to where each step begins, shows the
+/// strokes to trace (fainter from step to step), and notices when a step is done by what the
+/// document has become.
+class LessonGuide : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit LessonGuide(const WindowContext& context, QObject* parent = nullptr);
+
+    /// Begins a lesson in place of the document. On error nothing changes. Errors: those of
+    /// readLesson() and stageOf().
+    Result<void> start(const QString& path);
+    /// Ends it; the document stays as it is.
+    void stop();
+    bool running() const { return lesson_.has_value(); }
+    /// \pre running()
+    const Lesson& lesson() const { return *lesson_; }
+    std::size_t step() const { return step_; }
+    bool stepDone() const { return done_; }
+    bool isLast() const { return step_ + 1 == lesson_->steps.size(); }
+    /// 1 to 3 for a step that is done, 0 for one that is not: three for no more strokes than the
+    /// solution has, two for half as many again.
+    int stars(std::size_t step) const { return stars_[step]; }
+    /// What is to be said about what was made; empty while there is nothing to say. In English.
+    const std::string& remark() const { return remark_; }
+
+    void next();
+    /// From the beginning of the step.
+    void again();
+    /// A pen draws the strokes.
+    void showStrokes();
+
+  signals:
+    /// Everything that the functions above tell.
+    void changed();
+    void failed(const ew::Error& error);
+
+  private:
+    Result<void> begin(std::size_t step);
+    void documentChanged(DocumentChange what);
+    void judge();
+    void showGhost(double drawn);
+    void remember() const;
+
+    WindowContext context_;
+    std::optional<Lesson> lesson_;
+    TemplateLibrary shipped_;
+    LessonStage stage_;
+    std::size_t step_ = 0;
+    bool done_ = false;
+    bool beginning_ = false;  ///< the document is being brought to where the step begins
+    bool judgeSoon_ = false;
+    int drawnStrokes_ = 0;
+    std::size_t pending_ = 0;
+    std::vector<int> stars_;
+    std::string remark_;
+    QTimer pen_;
+    double drawn_ = 0.0;
+};
+
+/// The best stars of a lesson's steps, as an earlier run left them; empty where there was none.
+std::vector<int> rememberedStars(const std::string& lessonId);
+
+}  // namespace ew

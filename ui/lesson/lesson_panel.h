@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ew {
+
+class Appearance;
+class LessonGuide;
+
+/// What a lesson says: the step, what to do, what became of it, hints.
+class LessonPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* parent = nullptr);
+
+  signals:
+    /// The lesson is to end.
+    void endWanted();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void claimHeight();
+    void refresh();
+    void showHint();
+
+    LessonGuide& guide_;
+    Appearance& appearance_;
+    QLabel* title_;
+    QLabel* place_;
+    QProgressBar* progress_;
+    QLabel* task_;
+    QLabel* said_;
+    QPushButton* hint_;
+    QPushButton* show_;
+    QPushButton* again_;
+    QPushButton* next_;
+    bool hintShown_ = false;
+    std::size_t step_ = 0;
+};
+
+}  // namespace ew
