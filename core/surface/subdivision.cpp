@@ -350,25 +350,39 @@ class Tessellator {
         }
     }
 
-    /// Where the surface has no normal of its own, its triangles give one.
+    /// Where the surface has no normal of its own, its triangles give one or, where they have no
+    /// area either, the faces of the control cage that they are part of.
     void mendNormals() {
         std::vector<bool> missing(out_.normals.size());
-        for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = out_.normals[i].isZero(0.0);
-        if (std::find(missing.begin(), missing.end(), true) == missing.end()) return;
-        std::map<int, Vec3> sums;
         for (std::size_t i = 0; i < missing.size(); ++i) {
-            if (missing[i]) sums.emplace(static_cast<int>(i), Vec3::Zero());
+            constexpr float kUnit = 0.5F;  // far from none
+            missing[i] = !(out_.normals[i].squaredNorm() > kUnit);
         }
+        if (std::find(missing.begin(), missing.end(), true) == missing.end()) return;
+        struct Sums {
+            Vec3 areas = Vec3::Zero();
+            Vec3 faces = Vec3::Zero();
+        };
+        std::map<int, Sums> sums;
         const auto& ids = edges_.anyHard() ? out_.normalTriangles : out_.triangles;
         for (std::size_t t = 0; t < ids.size(); ++t) {
-            const Vec3& a = out_.positions[at(out_.triangles[t][0])];
-            const Vec3 area = (out_.positions[at(out_.triangles[t][1])] - a)
-                                  .cross(out_.positions[at(out_.triangles[t][2])] - a);
             for (const int i : ids[t]) {
-                if (missing[at(i)]) sums[i] += area;
+                if (!missing[at(i)]) continue;
+                const auto corner = [&](std::size_t k) -> const Vec3& {
+                    return out_.positions[at(out_.triangles[t][k])];
+                };
+                sums[i].areas += (corner(1) - corner(0)).cross(corner(2) - corner(0));
+                sums[i].faces +=
+                    loopAreaVector(cage_.mesh.points, cage_.mesh.outline(out_.origin[t]))
+                        .normalized();
             }
         }
-        for (const auto& [i, sum] : sums) out_.normals[at(i)] = sum.normalized().cast<float>();
+        for (const auto& [i, sum] : sums) {
+            const bool flat = !(sum.areas.norm() > 0.0);
+            const Vec3 up = (flat ? sum.faces : sum.areas).normalized();
+            const bool any = up.squaredNorm() > 0.0;
+            out_.normals[at(i)] = (any ? up : Vec3(Vec3::UnitZ())).cast<float>();
+        }
     }
 
     void addFacet(int face, const std::array<int, 4>& q) {

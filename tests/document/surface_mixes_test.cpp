@@ -68,15 +68,28 @@ TEST(SurfaceMixes, ConcaveEdgesAlone) {
     }
 }
 
+void expectSound(const std::vector<Body>& bodies, const std::string& name) {
+    const std::vector<SurfaceMix> mixes = allMixes();
+    const auto mix = std::find_if(mixes.begin(), mixes.end(),
+                                  [&](const SurfaceMix& m) { return m.name() == name; });
+    ASSERT_NE(mix, mixes.end()) << name;
+    expectSound(bodies, static_cast<std::size_t>(mix - mixes.begin()), mixes.size());
+}
+
 TEST(SurfaceMixes, PointsThatAreAllButOnOneLineHaveAreasBetweenThem) {
     const std::vector<Body> bodies = exampleBodies("clock");
-    const std::vector<SurfaceMix> mixes = allMixes();
-    for (const char* name : {"picked_r0.5_s5_cc3", "all_r0.1_s1_loop3"}) {
-        const auto mix = std::find_if(mixes.begin(), mixes.end(),
-                                      [&](const SurfaceMix& m) { return m.name() == name; });
-        ASSERT_NE(mix, mixes.end()) << name;
-        expectSound(bodies, static_cast<std::size_t>(mix - mixes.begin()), mixes.size());
-    }
+    expectSound(bodies, "picked_r0.5_s5_cc3");
+    expectSound(bodies, "all_r0.1_s1_loop3");
+}
+
+TEST(SurfaceMixes, APointWithNoAreaRoundItHasANormalAllTheSame) {
+    Random random(Random::mix(15, 5));
+    expectSound({{randomModifiedSolid(8, random), {}}}, "convex_r2_s1_cc3");
+}
+
+TEST(SurfaceMixes, ACornerOfTwoFacesHasTwoTrianglesAnEdge) {
+    Random random(Random::mix(7, 5));
+    expectSound({{randomModifiedSolid(8, random), {}}}, "picked_r0.1_s1_cc1");
 }
 
 TEST(SurfaceMixes, RandomSolidsHaveUnitNormalsAndAreasAndAreClosed) {
