@@ -12,6 +12,7 @@
 #include "core/document/file_bytes.h"
 #include "core/document/file_fault.h"
 #include "core/document/resources.h"
+#include "core/document/tool_words.h"
 #include "core/lesson/attempt.h"
 #include "core/lesson/lesson.h"
 #include "core/lesson/lesson_check.h"
@@ -139,35 +140,16 @@ int pack(const Arguments& arguments) {
     return kDone;
 }
 
-/// Empty where all is well.
-std::string parse(const QStringList& words, Arguments& out) {
-    const std::vector<std::pair<const char*, QString*>> valued{
-        {"--out", &out.out}, {"--step", &out.step}, {"--strokes", &out.strokes}};
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        const QString& word = words[i];
-        if (word == QStringLiteral("--json")) {
-            out.json = true;
-            continue;
-        }
-        QString* value = nullptr;
-        for (const auto& [name, to] : valued) {
-            if (word == QLatin1String(name)) value = to;
-        }
-        if (value != nullptr) {
-            if (i + 1 == words.size()) return word.toStdString() + " needs a value";
-            *value = words[++i];
-        } else if (word.startsWith(QStringLiteral("--"))) {
-            return "unknown option " + word.toStdString();
-        } else if (out.command.isEmpty()) {
-            out.command = word;
-        } else {
-            out.files << word;
-        }
-    }
-    const QStringList commands{QStringLiteral("check"), QStringLiteral("try"),
-                               QStringLiteral("pack")};
-    if (!commands.contains(out.command)) return "say check, try or pack";
-    return out.files.isEmpty() ? "no file is named" : "";
+ew::Result<Arguments> readArguments(const QStringList& words) {
+    Arguments out;
+    auto said = ew::readToolWords(
+        words, {QStringLiteral("check"), QStringLiteral("try"), QStringLiteral("pack")},
+        {{"--out", &out.out}, {"--step", &out.step}, {"--strokes", &out.strokes}});
+    if (!said) return ew::fail(said.error());
+    out.command = said->command;
+    out.files = said->files;
+    out.json = said->json;
+    return out;
 }
 
 }  // namespace
@@ -183,11 +165,12 @@ int main(int argc, char** argv) {
         std::printf("edgewright-lesson %s\n", EDGEWRIGHT_VERSION);
         return kDone;
     }
-    Arguments arguments;
-    if (const std::string wrong = parse(words, arguments); !wrong.empty()) {
-        std::fprintf(stderr, "edgewright-lesson: %s\n%s", wrong.c_str(), kHelp);
+    const auto read = readArguments(words);
+    if (!read) {
+        std::fprintf(stderr, "edgewright-lesson: %s\n%s", read.error().message.c_str(), kHelp);
         return kUnusable;
     }
+    const Arguments& arguments = *read;
     if (arguments.command == QStringLiteral("pack")) return pack(arguments);
     const auto templates = ew::loadTemplates();
     if (!templates) return unusable(templates.error().message);

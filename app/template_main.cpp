@@ -16,6 +16,7 @@
 #include "core/document/file_fault.h"
 #include "core/document/resources.h"
 #include "core/document/template_pack.h"
+#include "core/document/tool_words.h"
 #include "core/reading/confusion.h"
 #include "core/tlib/library.h"
 #include "core/tlib/library_index.h"
@@ -277,41 +278,24 @@ int pack(const Arguments& arguments, Loaded loaded) {
     return kDone;
 }
 
-/// Empty where all is well.
-std::string parse(const QStringList& words, Arguments& out) {
-    const std::vector<std::pair<const char*, QString*>> valued{{"--out", &out.out},
-                                                               {"--name", &out.name},
-                                                               {"--author", &out.author},
-                                                               {"--licence", &out.licence},
-                                                               {"--pack-version", &out.packVersion},
-                                                               {"--count", &out.count},
-                                                               {"--level", &out.level},
-                                                               {"--seed", &out.seed}};
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        const QString& word = words[i];
-        if (word == QStringLiteral("--json")) {
-            out.json = true;
-            continue;
-        }
-        QString* value = nullptr;
-        for (const auto& [name, to] : valued) {
-            if (word == QLatin1String(name)) value = to;
-        }
-        if (value != nullptr) {
-            if (i + 1 == words.size()) return word.toStdString() + " needs a value";
-            *value = words[++i];
-        } else if (word.startsWith(QStringLiteral("--"))) {
-            return "unknown option " + word.toStdString();
-        } else if (out.command.isEmpty()) {
-            out.command = word;
-        } else {
-            out.files << word;
-        }
-    }
-    const QStringList commands{QStringLiteral("check"), QStringLiteral("aspects"),
-                               QStringLiteral("confusion"), QStringLiteral("pack")};
-    if (!commands.contains(out.command)) return "say check, aspects, confusion or pack";
-    return out.files.isEmpty() ? "no file is named" : "";
+ew::Result<Arguments> readArguments(const QStringList& words) {
+    Arguments out;
+    auto said = ew::readToolWords(words,
+                                  {QStringLiteral("check"), QStringLiteral("aspects"),
+                                   QStringLiteral("confusion"), QStringLiteral("pack")},
+                                  {{"--out", &out.out},
+                                   {"--name", &out.name},
+                                   {"--author", &out.author},
+                                   {"--licence", &out.licence},
+                                   {"--pack-version", &out.packVersion},
+                                   {"--count", &out.count},
+                                   {"--level", &out.level},
+                                   {"--seed", &out.seed}});
+    if (!said) return ew::fail(said.error());
+    out.command = said->command;
+    out.files = said->files;
+    out.json = said->json;
+    return out;
 }
 
 }  // namespace
@@ -327,11 +311,12 @@ int main(int argc, char** argv) {
         std::printf("edgewright-template %s\n", EDGEWRIGHT_VERSION);
         return kDone;
     }
-    Arguments arguments;
-    if (const std::string wrong = parse(words, arguments); !wrong.empty()) {
-        std::fprintf(stderr, "edgewright-template: %s\n%s", wrong.c_str(), kHelp);
+    const auto read = readArguments(words);
+    if (!read) {
+        std::fprintf(stderr, "edgewright-template: %s\n%s", read.error().message.c_str(), kHelp);
         return kUnusable;
     }
+    const Arguments& arguments = *read;
     auto loaded = load(arguments.files);
     if (!loaded) return unusable(loaded.error().message);
     findTwins(*loaded);

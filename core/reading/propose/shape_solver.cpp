@@ -219,6 +219,25 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
     return out;
 }
 
+namespace {
+
+/// Where a face of a fit is seen, corner by corner [px].
+std::vector<Vec2> pictureOf(const std::vector<int>& loop, const PlaneFit& f) {
+    std::vector<Vec2> out;
+    for (const int v : loop) out.push_back(f.camera[at(v)].head<2>());
+    return out;
+}
+
+bool looksAtEye(const std::vector<Vec2>& face) {
+    double area = 0.0;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+        area += cross2(face[k], face[(k + 1) % face.size()]);
+    }
+    return area < 0.0;  // y is down
+}
+
+}  // namespace
+
 /// Does some face that looks at the eye have a corner that may be the bend of one line? Where a
 /// third line ends there is a corner.
 bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
@@ -228,11 +247,10 @@ bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
         return node >= 0 && drawing.nodes[at(node)].out.size() > 2;
     };
     for (const std::vector<int>& loop : h.rough.faces) {
-        const std::size_t n = loop.size();
-        const auto p = [&](std::size_t k) -> Vec2 { return f.camera[at(loop[k % n])].head<2>(); };
-        double area = 0.0;
-        for (std::size_t k = 0; k < n; ++k) area += cross2(p(k), p(k + 1));
-        if (area >= 0.0) continue;  // looks away; y is down
+        const std::vector<Vec2> px = pictureOf(loop, f);
+        if (!looksAtEye(px)) continue;
+        const std::size_t n = px.size();
+        const auto p = [&](std::size_t k) -> const Vec2& { return px[k % n]; };
         for (std::size_t k = 0; k < n; ++k) {
             const Vec2 chord = p(k + 2) - p(k);
             if (isSure(loop[(k + 1) % n])) continue;
@@ -247,11 +265,10 @@ bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
 std::vector<double> ShapeSolver::seenSides(const PlaneFit& f, const ShapeHypothesis& h) const {
     std::map<std::pair<int, int>, double> sides;
     for (const std::vector<int>& loop : h.rough.faces) {
-        const std::size_t n = loop.size();
-        const auto p = [&](std::size_t k) -> Vec2 { return f.camera[at(loop[k % n])].head<2>(); };
-        double area = 0.0;
-        for (std::size_t k = 0; k < n; ++k) area += cross2(p(k), p(k + 1));
-        if (area >= 0.0) continue;  // looks away; y is down
+        const std::vector<Vec2> px = pictureOf(loop, f);
+        if (!looksAtEye(px)) continue;
+        const std::size_t n = px.size();
+        const auto p = [&](std::size_t k) -> const Vec2& { return px[k % n]; };
         for (std::size_t k = 0; k < n; ++k) {
             sides[std::minmax(loop[k], loop[(k + 1) % n])] = (p(k + 1) - p(k)).norm();
         }
