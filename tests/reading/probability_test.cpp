@@ -45,6 +45,7 @@ TEST(Probability, AnotherSolutionOfTheSameResultIsNoRival) {
     tellProbabilities(alone, 9);
     tellProbabilities(twins, 9);
     EXPECT_EQ(twins[0].probability, alone[0].probability);
+    EXPECT_LE(sum(twins), 1.0);
 }
 
 TEST(Probability, WhatIsNoCandidateMayBeARival) {

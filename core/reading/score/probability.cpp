@@ -42,28 +42,21 @@ void tellProbabilities(std::vector<Candidate>& candidates, std::size_t lines, do
         return std::exp(-kPerCost * std::max(0.0, c.evidence.cost() - cost));
     };
     double all = std::isfinite(other) ? std::exp(-kPerCost * std::max(0.0, other - cost)) : 0.0;
-    for (const Candidate& c : candidates) all += isSameResult(best, c) ? 0.0 : weight(c);
+    for (std::size_t i = 1; i < candidates.size(); ++i) all += weight(candidates[i]);
     // Something else that nobody thought of has its share, too.
     constexpr double kUnknown = 0.2;
     all += kUnknown;
-    const Candidate first = best;
-    for (Candidate& c : candidates) {
-        // Further solutions of the same result share its probability; the first has most of it.
-        c.probability =
-            isSameResult(first, c) ? likely * weight(c) : (1.0 - likely) * weight(c) / all;
-    }
+    for (Candidate& c : candidates) c.probability = (1.0 - likely) * weight(c) / all;
+    candidates.front().probability = likely;
 }
 
 void tellProbabilitiesOfQuestion(std::vector<Candidate>& candidates) {
     if (candidates.empty()) return;
-    const Candidate first = candidates.front();
-    const double likely = first.probability;
+    const double likely = candidates.front().probability;
     const double now = kOfQuestion * likely;
     const double others = likely < 1.0 ? (1.0 - now) / (1.0 - likely) : 0.0;
-    for (Candidate& c : candidates) {
-        c.probability =
-            std::min(1.0, c.probability * (isSameResult(first, c) ? kOfQuestion : others));
-    }
+    for (Candidate& c : candidates) c.probability = std::min(1.0, c.probability * others);
+    candidates.front().probability = now;
 }
 
 }  // namespace ew
