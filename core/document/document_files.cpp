@@ -8,6 +8,7 @@
 #include "core/document/export_mesh.h"
 #include "core/document/file_names.h"
 #include "core/document/store.h"
+#include "core/surface/patch_memory.h"
 
 namespace ew {
 
@@ -211,6 +212,7 @@ void Document::Private::adopt(DocumentFile file) {
 
 void Document::Private::forgetShapes() {
     cache = std::make_shared<ShapeCache>();
+    forgetPatches();
     shapeOf.reset();
     shape.reset();
 }

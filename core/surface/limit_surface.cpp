@@ -10,6 +10,8 @@
 #include <mutex>
 #include <shared_mutex>
 
+#include "core/surface/patch_memory.h"
+
 namespace ew {
 namespace {
 
@@ -42,22 +44,37 @@ class PatchCache : public Osd::Bfr::SurfaceFactoryCache {
     mutable std::shared_mutex mutex_;
 };
 
-/// The cache for factories with these options, which it depends on. Where all caches together hold
+/// The caches of all factories, by their options, on which patches depend. Where all together hold
 /// more than the bound, all begin anew; surfaces that are being made keep theirs until then.
-std::shared_ptr<PatchCache> patchCache(Osd::Sdc::SchemeType scheme, int smooth, int sharp) {
-    constexpr std::size_t kMostPatches = 1'000;  // some tens of KiB each
-    static std::mutex mutex;
-    static std::map<std::array<int, 3>, std::shared_ptr<PatchCache>> caches;
-    const std::scoped_lock lock(mutex);
-    std::size_t patches = 0;
-    for (const auto& [options, cache] : caches) patches += cache->patches();
-    if (patches >= kMostPatches) caches.clear();
-    std::shared_ptr<PatchCache>& cache = caches[{static_cast<int>(scheme), smooth, sharp}];
-    if (!cache) cache = std::make_shared<PatchCache>();
-    return cache;
-}
+class PatchCaches {
+  public:
+    static PatchCaches& all() {
+        static PatchCaches caches;
+        return caches;
+    }
+    std::shared_ptr<PatchCache> of(Osd::Sdc::SchemeType scheme, int smooth, int sharp) {
+        constexpr std::size_t kMostPatches = 1'000;  // some tens of KiB each
+        const std::scoped_lock lock(mutex_);
+        std::size_t patches = 0;
+        for (const auto& [options, cache] : caches_) patches += cache->patches();
+        if (patches >= kMostPatches) caches_.clear();
+        std::shared_ptr<PatchCache>& cache = caches_[{static_cast<int>(scheme), smooth, sharp}];
+        if (!cache) cache = std::make_shared<PatchCache>();
+        return cache;
+    }
+    void forget() {
+        const std::scoped_lock lock(mutex_);
+        caches_.clear();
+    }
+
+  private:
+    std::mutex mutex_;
+    std::map<std::array<int, 3>, std::shared_ptr<PatchCache>> caches_;
+};
 
 }  // namespace
+
+void forgetPatches() { PatchCaches::all().forget(); }
 
 Result<LimitSurface> LimitSurface::create(const ControlCage& cage, SubdivisionScheme scheme,
                                           int exactLevels) {
@@ -100,7 +117,7 @@ Result<LimitSurface> LimitSurface::create(const ControlCage& cage, SubdivisionSc
     out.refiner_.reset(RefinerFactory::Create(descriptor, RefinerFactory::Options(type, options)));
     if (!out.refiner_) return fail(Errc::Internal, "The cage could not be subdivided.");
     const auto factory = [&](int smooth, int sharp) {
-        out.caches_.push_back(patchCache(type, smooth, sharp));
+        out.caches_.push_back(PatchCaches::all().of(type, smooth, sharp));
         Osd::Bfr::SurfaceFactory::Options levels;
         levels.SetApproxLevelSmooth(smooth);
         levels.SetApproxLevelSharp(sharp);
