@@ -11,11 +11,11 @@
 
 #include "core/document/file_bytes.h"
 #include "core/document/file_fault.h"
+#include "core/document/lesson/attempt.h"
+#include "core/document/lesson/lesson.h"
+#include "core/document/lesson/lesson_check.h"
 #include "core/document/resources.h"
 #include "core/document/tool_words.h"
-#include "core/lesson/attempt.h"
-#include "core/lesson/lesson.h"
-#include "core/lesson/lesson_check.h"
 
 namespace {
 
@@ -39,11 +39,8 @@ constexpr const char* kHelp =
     "or\n"
     "the step is not done, 2 the arguments or a file cannot be used.\n";
 
-struct Arguments {
-    QString command;
-    QStringList files;
+struct Arguments : ew::ToolWords {
     QString out, step, strokes;
-    bool json = false;
 };
 
 int unusable(const std::string& message) {
@@ -55,11 +52,6 @@ void print(const Json& json) {
     std::printf("%s\n", json.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-/// Is this the file's fault, or is there no file that could be read?
-bool isUnusable(ew::Errc code) {
-    return code == ew::Errc::FileNotFound || code == ew::Errc::TooLarge;
-}
-
 int check(const Arguments& arguments, const ew::TemplateLibrary& library) {
     Json faults = Json::array();
     Json lessons = Json::array();
@@ -68,9 +60,7 @@ int check(const Arguments& arguments, const ew::TemplateLibrary& library) {
         std::vector<ew::FileFault> found;
         const auto lesson = ew::readLesson(file);
         if (!lesson) {
-            if (isUnusable(lesson.error().code) && !QFileInfo::exists(file)) {
-                return unusable(lesson.error().message);
-            }
+            if (!QFileInfo::exists(file)) return unusable(lesson.error().message);
             found.push_back(ew::fileFault(name, lesson.error()));
         } else {
             lessons.push_back({{"file", name},
@@ -146,9 +136,7 @@ ew::Result<Arguments> readArguments(const QStringList& words) {
         words, {QStringLiteral("check"), QStringLiteral("try"), QStringLiteral("pack")},
         {{"--out", &out.out}, {"--step", &out.step}, {"--strokes", &out.strokes}});
     if (!said) return ew::fail(said.error());
-    out.command = said->command;
-    out.files = said->files;
-    out.json = said->json;
+    static_cast<ew::ToolWords&>(out) = *std::move(said);
     return out;
 }
 

@@ -45,12 +45,9 @@ constexpr const char* kHelp =
     "Exit status: 0 all is well, 1 there are faults (one line each: FILE: /json/path: sentence),\n"
     "2 the arguments or a file cannot be used.\n";
 
-struct Arguments {
-    QString command;
-    QStringList files;
+struct Arguments : ew::ToolWords {
     QString out, name, author, licence, packVersion;
     QString count, level, seed;
-    bool json = false;
 };
 
 int unusable(const std::string& message) {
@@ -292,9 +289,7 @@ ew::Result<Arguments> readArguments(const QStringList& words) {
                                    {"--level", &out.level},
                                    {"--seed", &out.seed}});
     if (!said) return ew::fail(said.error());
-    out.command = said->command;
-    out.files = said->files;
-    out.json = said->json;
+    static_cast<ew::ToolWords&>(out) = *std::move(said);
     return out;
 }
 

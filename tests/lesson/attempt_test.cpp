@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/attempt.h"
+#include "core/document/lesson/attempt.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "core/document/file_bytes.h"
 #include "core/hand/hand_model.h"
-#include "core/lesson/lesson_check.h"
+#include "core/document/lesson/lesson_check.h"
 #include "tests/lesson/shipped.h"
 
 namespace ew::test {

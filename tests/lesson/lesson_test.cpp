@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/lesson.h"
+#include "core/document/lesson/lesson.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "core/document/file_bytes.h"
 #include "core/document/zip_file.h"
-#include "core/lesson/lesson_check.h"
+#include "core/document/lesson/lesson_check.h"
 #include "tests/lesson/shipped.h"
 
 namespace ew::test {

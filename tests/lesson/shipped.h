@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/document/resources.h"
-#include "core/lesson/lesson.h"
+#include "core/document/lesson/lesson.h"
 #include "core/tlib/library.h"
 
 namespace ew::test {

@@ -16,7 +16,7 @@ namespace ew::test {
 namespace {
 
 /// From top to bottom; a room includes only what stands above it.
-constexpr std::array<std::string_view, 21> kRooms{"core/base",
+constexpr std::array<std::string_view, 20> kRooms{"core/base",
                                                   "core/stroke",
                                                   "core/hand",
                                                   "core/edge_graph",
@@ -34,7 +34,6 @@ constexpr std::array<std::string_view, 21> kRooms{"core/base",
                                                   "core/surface",
                                                   "core/store",
                                                   "core/document",
-                                                  "core/lesson",
                                                   "ui",
                                                   "app"};
 
@@ -101,7 +100,7 @@ bool isVtkHeader(std::string_view h) { return h.starts_with("vtk"); }
 
 const std::vector<Library>& libraries() {
     static const std::vector<Library> all{
-        {"Qt", {"core/document", "core/lesson", "ui", "app"}, false, isQtHeader},
+        {"Qt", {"core/document", "ui", "app"}, false, isQtHeader},
         {"OpenMesh, CGAL and OpenSubdiv",
          {"core/solid", "core/surface"},
          true,

@@ -24,11 +24,11 @@ inline constexpr int kLongestFile = 500;  ///< [lines]
 
 /// Checks the rules of the house on C++ sources:
 /// - a room includes only itself and rooms above it: base, stroke, edge_graph, solid, tlib,
-///   reading, surface (core/...), core/document, core/lesson, ui, app; none of them includes tests. The rooms
+///   reading, surface (core/...), core/document, ui, app; none of them includes tests. The rooms
 ///   of core/reading are in order too: types, extract, evidence, solve, overlay, score, explain,
 ///   propose;
 /// - project headers are included by their path from the root;
-/// - Qt in core/document, core/lesson, ui and app only; OpenMesh, CGAL and OpenSubdiv in core/solid and
+/// - Qt in core/document, ui and app only; OpenMesh, CGAL and OpenSubdiv in core/solid and
 ///   core/surface only; VTK in ui/viewport only. A header that includes such a library, itself or
 ///   through others, must not be included outside these folders either (Qt excepted);
 /// - the program writes files through core/document/file_bytes.h only;

@@ -57,7 +57,6 @@ TEST(SourceRules, EveryRoomIsOrdered) {
                                          "core/surface",
                                          "core/store",
                                          "core/document",
-                                         "core/lesson",
                                          "ui",
                                          "app"};
     for (std::size_t from = 0; from < order.size(); ++from) {

@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <QTest>
 
-#include "core/lesson/attempt.h"
+#include "core/document/lesson/attempt.h"
 #include "tests/ui/german_fixture.h"
 #include "ui/actions/file_actions.h"
 #include "ui/lesson/lesson_dock.h"

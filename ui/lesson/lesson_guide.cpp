@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "core/document/store.h"
-#include "ui/viewport/ghost_overlay.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
@@ -42,11 +41,13 @@ Result<void> LessonGuide::start(const QString& path) {
     if (!lesson) return fail(lesson.error());
     // A lesson is about the templates that the window has.
     TemplateLibrary library = context_.document.stateAt(0)->library;
-    if (auto first = stageOf(*lesson, 0, library); !first) return fail(first.error());
+    auto first = stageOf(*lesson, 0, library);
+    if (!first) return fail(first.error());
     lesson_ = *std::move(lesson);
     shipped_ = std::move(library);
     stars_.assign(lesson_->steps.size(), 0);
-    return begin(0);
+    enter(0, *std::move(first));
+    return {};
 }
 
 void LessonGuide::stop() {
@@ -57,10 +58,16 @@ void LessonGuide::stop() {
     emit changed();
 }
 
-Result<void> LessonGuide::begin(std::size_t step) {
+void LessonGuide::begin(std::size_t step) {
     auto stage = stageOf(*lesson_, step, shipped_);
-    if (!stage) return fail(stage.error());
-    stage_ = *std::move(stage);
+    if (stage)
+        enter(step, *std::move(stage));
+    else
+        emit failed(stage.error());
+}
+
+void LessonGuide::enter(std::size_t step, LessonStage stage) {
+    stage_ = std::move(stage);
     step_ = step;
     done_ = false;
     remark_.clear();
@@ -70,9 +77,16 @@ Result<void> LessonGuide::begin(std::size_t step) {
     context_.document.restore(stage_.begin->contents(), {});
     beginning_ = false;
     pen_.stop();
+    ghost_ = {};
+    ghost_.camera = stage_.begin->camera();
+    ghost_.opacity = std::max(kLeastOpacity, kFirstOpacity - kFade * static_cast<double>(step_));
+    const auto [from, to] = taskOf(*lesson_, step_);
+    for (std::size_t i = from; i < to; ++i) {
+        const auto* stroke = std::get_if<StrokeStep>(&lesson_->solution.steps[i]);
+        if (stroke != nullptr) ghost_.strokes.push_back(stroke->stroke);
+    }
     showGhost(0.0);
     emit changed();
-    return {};
 }
 
 void LessonGuide::next() {
@@ -81,12 +95,11 @@ void LessonGuide::next() {
         stop();
         return;
     }
-    if (auto ok = begin(step_ + 1); !ok) emit failed(ok.error());
+    begin(step_ + 1);
 }
 
 void LessonGuide::again() {
-    if (!running()) return;
-    if (auto ok = begin(step_); !ok) emit failed(ok.error());
+    if (running()) begin(step_);
 }
 
 void LessonGuide::showStrokes() {
@@ -96,19 +109,9 @@ void LessonGuide::showStrokes() {
 }
 
 void LessonGuide::showGhost(double drawn) {
-    Ghost ghost;
-    ghost.camera = stage_.begin->camera();
-    ghost.opacity = std::max(kLeastOpacity, kFirstOpacity - kFade * static_cast<double>(step_));
-    ghost.drawn = drawn;
-    const auto [from, to] = taskOf(*lesson_, step_);
-    for (std::size_t i = from; i < to; ++i) {
-        const auto* stroke = std::get_if<StrokeStep>(&lesson_->solution.steps[i]);
-        if (stroke != nullptr) ghost.strokes.push_back(stroke->stroke);
-    }
-    if (done_ || ghost.strokes.empty())
-        context_.viewport.setGhost(std::nullopt);
-    else
-        context_.viewport.setGhost(std::move(ghost));
+    ghost_.drawn = drawn;
+    const bool any = !done_ && !ghost_.strokes.empty();
+    context_.viewport.setGhost(any ? std::optional(ghost_) : std::nullopt);
 }
 
 void LessonGuide::documentChanged(DocumentChange what) {
@@ -134,11 +137,7 @@ void LessonGuide::judge() {
     remark_ = how == Unlike::NotYet ? std::string() : unlikeSentence(how);
     if (how == Unlike::Nothing && !done_) {
         done_ = true;
-        const auto [from, to] = taskOf(*lesson_, step_);
-        int wanted = 0;
-        for (std::size_t i = from; i < to; ++i) {
-            wanted += std::holds_alternative<StrokeStep>(lesson_->solution.steps[i]) ? 1 : 0;
-        }
+        const int wanted = static_cast<int>(ghost_.strokes.size());
         constexpr int kThree = 3;
         const bool few = drawnStrokes_ <= wanted;
         const bool some = 2 * drawnStrokes_ <= 3 * wanted;

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/lesson/attempt.h"
+#include "core/document/lesson/attempt.h"
+#include "ui/viewport/ghost_overlay.h"
 #include "ui/window_context.h"
 
 namespace ew {
@@ -50,7 +51,8 @@ class LessonGuide : public QObject {
     void failed(const ew::Error& error);
 
   private:
-    Result<void> begin(std::size_t step);
+    void begin(std::size_t step);
+    void enter(std::size_t step, LessonStage stage);
     void documentChanged(DocumentChange what);
     void judge();
     void showGhost(double drawn);
@@ -60,6 +62,7 @@ class LessonGuide : public QObject {
     std::optional<Lesson> lesson_;
     TemplateLibrary shipped_;
     LessonStage stage_;
+    Ghost ghost_;  ///< of the step
     std::size_t step_ = 0;
     bool done_ = false;
     bool beginning_ = false;  ///< the document is being brought to where the step begins

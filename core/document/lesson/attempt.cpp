@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/attempt.h"
+#include "core/document/lesson/attempt.h"
 
 #include <QUndoStack>
 #include <cmath>
 #include <utility>
 
+#include "core/document/lesson/likeness.h"
 #include "core/document/replay.h"
 #include "core/document/store.h"
-#include "core/lesson/likeness.h"
 
 namespace ew {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/likeness.h"
+#include "core/document/lesson/likeness.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace ew {
@@ -224,52 +225,36 @@ Unlike likenessOfSettings(const DocumentState& before, const DocumentState& want
     return same(before, made) ? Unlike::NotYet : Unlike::Settings;
 }
 
+struct Told {
+    Unlike unlike;
+    const char* name;
+    const char* sentence;
+};
+constexpr Told kTold[] = {
+    {Unlike::Nothing, "", ""},
+    {Unlike::NotYet, "not-yet", "Nothing was made or changed yet."},
+    {Unlike::Bodies, "separate-drawings",
+     "More solids were made than are wanted; draw one at a time."},
+    {Unlike::Side, "wrong-side",
+     "It was done to the wrong side: what was to be added was cut, or the other way round."},
+    {Unlike::Shape, "wrong-shape", "It became another kind of shape."},
+    {Unlike::Place, "wrong-place", "The shape is right, but it is in the wrong place."},
+    {Unlike::Proportions, "wrong-proportions",
+     "The shape is right, but its proportions are far from the wanted ones."},
+    {Unlike::Settings, "wrong-settings",
+     "It was done with other edges, another size or another kind of surface."}};
+
+const Told& told(Unlike unlike) {
+    const auto* found = std::find_if(std::begin(kTold), std::end(kTold),
+                                     [&](const Told& t) { return t.unlike == unlike; });
+    return found == std::end(kTold) ? kTold[0] : *found;
+}
+
 }  // namespace
 
-std::string unlikeName(Unlike unlike) {
-    switch (unlike) {
-        case Unlike::Nothing:
-            return {};
-        case Unlike::NotYet:
-            return "not-yet";
-        case Unlike::Bodies:
-            return "separate-drawings";
-        case Unlike::Side:
-            return "wrong-side";
-        case Unlike::Shape:
-            return "wrong-shape";
-        case Unlike::Place:
-            return "wrong-place";
-        case Unlike::Proportions:
-            return "wrong-proportions";
-        case Unlike::Settings:
-            return "wrong-settings";
-    }
-    return {};
-}
+std::string unlikeName(Unlike unlike) { return told(unlike).name; }
 
-std::string unlikeSentence(Unlike unlike) {
-    switch (unlike) {
-        case Unlike::Nothing:
-            return {};
-        case Unlike::NotYet:
-            return "Nothing was made or changed yet.";
-        case Unlike::Bodies:
-            return "More solids were made than are wanted; draw one at a time.";
-        case Unlike::Side:
-            return "It was done to the wrong side: what was to be added was cut, or the other way "
-                   "round.";
-        case Unlike::Shape:
-            return "It became another kind of shape.";
-        case Unlike::Place:
-            return "The shape is right, but it is in the wrong place.";
-        case Unlike::Proportions:
-            return "The shape is right, but its proportions are far from the wanted ones.";
-        case Unlike::Settings:
-            return "It was done with other edges, another size or another kind of surface.";
-    }
-    return {};
-}
+std::string unlikeSentence(Unlike unlike) { return told(unlike).sentence; }
 
 Unlike likeness(const DocumentState& before, const DocumentState& wanted, const DocumentState& made,
                 double tolerance) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/lesson/lesson.h"
+#include "core/document/lesson/lesson.h"
 #include "core/tlib/library.h"
 
 namespace ew {

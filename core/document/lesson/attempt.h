@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/lesson/lesson.h"
-#include "core/lesson/likeness.h"
+#include "core/document/lesson/lesson.h"
+#include "core/document/lesson/likeness.h"
 
 namespace ew {
 

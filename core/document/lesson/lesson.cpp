@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/lesson.h"
+#include "core/document/lesson/lesson.h"
 
 #include <QDir>
 #include <QFileInfo>

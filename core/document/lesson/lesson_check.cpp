@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/lesson_check.h"
+#include "core/document/lesson/lesson_check.h"
 
 #include <utility>
 
 #include "core/document/json_text.h"
-#include "core/lesson/attempt.h"
+#include "core/document/lesson/attempt.h"
 
 namespace ew {
 namespace {
