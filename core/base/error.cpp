@@ -43,6 +43,8 @@ std::string_view errcName(Errc code) {
             return "hidden-line";
         case Errc::TooSmall:
             return "too-small";
+        case Errc::Perspective:
+            return "perspective";
         case Errc::NoMatch:
             return "no-match";
         case Errc::Ambiguous:

@@ -33,6 +33,7 @@ enum class Errc {
     CurvedEdge,        ///< "curved-edge": with one line straight it is a solid
     HiddenLine,        ///< "hidden-line": without a line that cannot be seen it is a solid
     TooSmall,          ///< "too-small": the lines lie nearer together than what counts as meeting
+    Perspective,       ///< "perspective": edges that are parallel in space converge
     // Matching and reconstruction
     NoMatch,              ///< "no-match": no template shows this graph
     Ambiguous,            ///< "ambiguous": several readings, none clearly best
