@@ -92,6 +92,13 @@ TEST(SurfaceMixes, ACornerOfTwoFacesHasTwoTrianglesAnEdge) {
     expectSound({{randomModifiedSolid(8, random), {}}}, "picked_r0.1_s1_cc1");
 }
 
+TEST(SurfaceMixes, LowTrianglesMakeRoomForOneWithoutAnArea) {
+    Random random(Random::mix(2, 5));
+    const std::vector<Body> bodies{{randomModifiedSolid(8, random), {}}};
+    expectSound(bodies, "picked_r0.1_s5_loop3");
+    expectSound(bodies, "convex_r0.1_s5_cc3");
+}
+
 TEST(SurfaceMixes, RandomSolidsHaveUnitNormalsAndAreasAndAreClosed) {
     for (std::uint64_t n = 0; n < 8; ++n) {
         SCOPED_TRACE(n);
