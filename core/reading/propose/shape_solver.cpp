@@ -187,7 +187,7 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
                     .misfit = f->misfit,
                     .solid = *std::move(solid),
                     .family = h.sides > 0,
-                    .faint = isFaint(*f, h, drawing),
+                    .leastCorner = leastCorner(*f, h, drawing),
                     .exact = isExact(),
                     .lift = h.lift};
     // A careful hand's lines lie where the picture has them, but for what the fit itself
@@ -238,10 +238,10 @@ bool looksAtEye(const std::vector<Vec2>& face) {
 
 }  // namespace
 
-/// Does some face that looks at the eye have a corner that may be the bend of one line? Where a
-/// third line ends there is a corner.
-bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
-                          const LineDrawing& drawing) const {
+/// Of the faces that look at the eye. Where a third line ends there is a corner.
+double ShapeSolver::leastCorner(const PlaneFit& f, const ShapeHypothesis& h,
+                                const LineDrawing& drawing) const {
+    double least = std::numeric_limits<double>::infinity();
     const auto isSure = [&](int v) {
         const int node = h.node[at(v)];
         return node >= 0 && drawing.nodes[at(node)].out.size() > 2;
@@ -256,10 +256,10 @@ bool ShapeSolver::isFaint(const PlaneFit& f, const ShapeHypothesis& h,
             if (isSure(loop[(k + 1) % n])) continue;
             const double height =
                 std::abs(cross2(chord, p(k + 1) - p(k))) / std::max(chord.norm(), 1e-6);
-            if (height < params::kFaintCorner * spread_) return true;
+            least = std::min(least, height / spread_);
         }
     }
-    return false;
+    return least;
 }
 
 std::vector<double> ShapeSolver::seenSides(const PlaneFit& f, const ShapeHypothesis& h) const {

@@ -25,14 +25,15 @@ struct SolvedShape {
                           ///< log-likelihood
     double misfit = 0.0;  ///< PlaneFit::misfit
     Solid solid;
-    bool known = false;    ///< is a template of the library
-    bool family = false;   ///< a prism, pyramid or frustum over a base that is seen
-    bool guessed = false;  ///< a hole ends where nothing of it is seen
-    bool faint = false;    ///< some corner of a seen face turns by no more than this hand errs
-    bool tiny = false;     ///< some side of a seen face is no longer than this hand errs
-    int lines = 0;         ///< its edges that the eye sees one of the faces of
-    bool exact = false;    ///< the drawing is an exact picture of some solid
-    int lift = -1;         ///< those of one number differ in what is not seen alone; -1: none
+    bool known = false;        ///< is a template of the library
+    bool family = false;       ///< a prism, pyramid or frustum over a base that is seen
+    bool guessed = false;      ///< a hole ends where nothing of it is seen
+    double leastCorner = 0.0;  ///< how far the flattest corner of a seen face stands out from the
+                               ///< line past it [standard deviations of a drawn corner]
+    bool tiny = false;         ///< some side of a seen face is no longer than this hand errs
+    int lines = 0;             ///< its edges that the eye sees one of the faces of
+    bool exact = false;        ///< the drawing is an exact picture of some solid
+    int lift = -1;             ///< those of one number differ in what is not seen alone; -1: none
     std::shared_ptr<const EdgeGraph> graph{};  ///< that the candidate speaks of; set by its reader
 
     /// Does it account for the ink?
@@ -76,7 +77,8 @@ class ShapeSolver {
     std::optional<double> exactSpread(const std::vector<Rough>& rough) const;
     std::optional<PlaneFit> fit(const ShapeHypothesis& h, const LineDrawing& drawing) const;
     std::optional<SolvedShape> solve(const ShapeHypothesis& h, const LineDrawing& drawing) const;
-    bool isFaint(const PlaneFit& f, const ShapeHypothesis& h, const LineDrawing& drawing) const;
+    double leastCorner(const PlaneFit& f, const ShapeHypothesis& h,
+                       const LineDrawing& drawing) const;
     /// The sides of the faces that look at the eye, each once [px].
     std::vector<double> seenSides(const PlaneFit& f, const ShapeHypothesis& h) const;
     void place(const PlaneFit& f, const ShapeHypothesis& h, Candidate& c) const;

@@ -243,11 +243,14 @@ class WholeReader {
         if (found.front().misfit > params::kWholeMisfit) return false;
         // An unsteady hand's few lines fit many solids, and a corner that hardly stands out may be
         // none: what is of no family is not taken then, and of a family what is far from others.
+        // One that does not stand out at all is none.
         const bool unsteady = endSpread(ink_.segments, options_.thresholds.distancePx) >
                               kUnsteadySpread * options_.thresholds.distancePx;
-        const bool few = unsteady && !found.front().known && found.front().lines < kManyLines;
-        const bool doubtful = few || found.front().faint;
+        const bool few = unsteady && found.front().lines < kManyLines;
+        const bool faint = found.front().leastCorner < params::kFaintCorner;
+        const bool doubtful = few || faint;
         if (doubtful && !isSure(found.front())) return false;
+        if (!found.front().exact && found.front().leastCorner < params::kNoCorner) return false;
         if (found.front().guessed || found.front().tiny) return false;
         return std::none_of(found.begin() + 1, found.end(), [&](const SolvedShape& other) {
             double margin = params::kWholeMargin;

@@ -113,6 +113,8 @@ inline constexpr double kDoubtfulMargins = 2.0;
 /// A corner that stands out from the line past it by less than this may be no corner [standard
 /// deviations of a drawn corner].
 inline constexpr double kFaintCorner = 2.5;
+/// ... and by less than this is none.
+inline constexpr double kNoCorner = 1.0;
 
 /// A side of a face shorter than this may be one corner that lines missed [standard deviations of a
 /// drawn corner].
