@@ -23,6 +23,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "All but this corner fits %1; it is %2 from where it would be."),
     QT_TRANSLATE_NOOP(
         "Core", "This is too small to be read: it is %1 px across. Zoom in and draw it larger."),
+    QT_TRANSLATE_NOOP("Core",
+                      "These lines converge as in perspective, by up to %1 degrees. Only "
+                      "right-angled shapes are read so; draw "
+                      "edges that are parallel in space as parallel lines."),
     QT_TRANSLATE_NOOP(
         "Core",
         "This line is a curve; solids are drawn with straight lines (round them afterwards)."),

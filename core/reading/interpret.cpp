@@ -10,6 +10,7 @@
 #include "core/edge_graph/build.h"
 #include "core/reading/evidence/hand_noise.h"
 #include "core/reading/explain/causes.h"
+#include "core/reading/explain/convergence.h"
 #include "core/reading/propose/cutting_plane.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
@@ -219,6 +220,21 @@ bool isAlike(const Candidate& taken, const Candidate& whole, const Doubt& doubt)
            taken.spec.faces.size() == whole.spec.faces.size();
 }
 
+/// What is read by its lines alone may taper as the drawing does, where that is in perspective.
+void askAboutPerspective(const std::vector<Stroke>& strokes, double distancePx,
+                         Interpretation& reading) {
+    if (!reading.accepted) return;
+    const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
+    if (c.aspect != "region") return;
+    const InkReading ink = readInk(strokes, distancePx);
+    // Three lines may converge by chance, as those of a hexagon's edges do.
+    constexpr std::size_t kLeastLines = 4;
+    const auto found = findConvergence(reading.graph, ink, distancePx, kLeastLines);
+    if (!found) return;
+    askInstead(reading, "");
+    reading.problem = perspectiveError(*found);
+}
+
 /// One template, or the drawing as a whole. What has more lines than any template shows is read as
 /// a whole first, and taken so where that explains next to all of them: looking for what may be
 /// wrong with it takes long.
@@ -344,6 +360,7 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         return out;
     }
     Interpretation reading = readDrawing(strokes, library, options);
+    askAboutPerspective(strokes, options.thresholds.distancePx, reading);
     const ReadAgain again = [&](const std::vector<Stroke>& changed) {
         return readDrawing(changed, library, options);
     };

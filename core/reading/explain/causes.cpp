@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/base/words.h"
+#include "core/edge_graph/build.h"
+#include "core/reading/explain/convergence.h"
 #include "core/reading/explain/nearest_template.h"
 
 namespace ew {
@@ -80,13 +82,22 @@ class Search {
         : strokes_(strokes), library_(library), options_(options), read_(read), r_(reading) {}
 
     void run() {
-        if (tooSmall() || !mayBeTold(r_) || strokes_.size() > kMostStrokes) return;
+        if (tooSmall() || r_.accepted || strokes_.size() > kMostStrokes) return;
+        // Three lines may converge by chance; that is no reason against what explains all of them.
+        if (isQuestion()) inPerspective(4);
+        if (!mayBeTold(r_)) return;
         if (curved()) return;
         if (nearest_ = nearestOf(); missing()) return;
-        extra();
+        if (!extra()) inPerspective(3);
     }
 
   private:
+    /// Of solids that have all of the lines.
+    bool isQuestion() const {
+        return r_.problem && r_.problem->code == Errc::Ambiguous && options_.bodies.empty() &&
+               !mayBeTold(r_);
+    }
+
     std::optional<Nearest> nearestOf() const {
         if (r_.graph.empty() || !options_.bodies.empty()) return std::nullopt;
         return nearestTemplate(r_.graph, library_, options_.thresholds.distancePx);
@@ -226,7 +237,7 @@ class Search {
         return all;
     }
 
-    void extra() {
+    bool extra() {
         for (const std::set<int>& gone : suspects()) {
             const auto taken = readAs(without(strokes_, gone));
             if (!taken) continue;
@@ -255,8 +266,24 @@ class Search {
                 tell(Errc::ExtraEdge, "Without " + lines + " this is " + name + ".", where,
                      std::move(drop));
             }
-            return;
+            return true;
         }
+        return false;
+    }
+
+    /// Right-angled templates are read in perspective, other solids are not.
+    void inPerspective(std::size_t leastLines) {
+        if (!r_.candidates.empty() && r_.candidates.front().depth == DepthRule::Perspective) return;
+        // The reading may speak of a graph without some of the lines.
+        const InkReading ink = readInk(strokes_, options_.thresholds.distancePx);
+        const auto graphs = buildEdgeGraphs(ink, options_.thresholds.distancePx);
+        const auto graph = std::max_element(graphs.begin(), graphs.end(), [](auto& a, auto& b) {
+            return a.edges.size() < b.edges.size();
+        });
+        if (graph == graphs.end()) return;
+        if (const auto found =
+                findConvergence(*graph, ink, options_.thresholds.distancePx, leastLines))
+            r_.problem = perspectiveError(*found);
     }
 
     /// Does a stroke run along edges of the candidate? Those that are seen have been drawn.
