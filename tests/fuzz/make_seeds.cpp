@@ -9,6 +9,8 @@
 
 #include "core/document/replay.h"
 #include "core/document/store.h"
+#include "core/document/store_blobs.h"
+#include "core/document/template_pack.h"
 #include "tests/fuzz/fuzz_scenes.h"
 #include "tests/fuzz/fuzz_strokes.h"
 #include "tests/support/line_drawings.h"
@@ -146,6 +148,30 @@ bool drawings(const Seeds& seeds) {
     return ok;
 }
 
+/// The first byte says what the others are (fuzz_blob).
+bool blobs(const Seeds& seeds) {
+    bool ok = seeds.put("blob", "packed",
+                        std::string(1, '\0') + ew::packBlob(std::string(300, 'x')).first);
+    int number = 0;
+    for (const auto& bodies : ew::fuzz::scenes().bodies) {
+        const std::string solid = bodies.front().solid.serialize();
+        ok &= seeds.put("blob", "solid" + std::to_string(number++), "\2" + solid);
+    }
+    ew::Stroke stroke;
+    for (int i = 0; i < 4; ++i) stroke.samples.push_back({ew::Vec2(i, 2 * i), 0.5, 0.01 * i});
+    return seeds.put("blob", "stroke", "\1" + ew::samplesBlob(stroke)) && ok;
+}
+
+bool packs(const Seeds& seeds) {
+    ew::TemplatePack pack;
+    pack.name = "Some";
+    pack.licence = "CC0-1.0";
+    const ew::TemplateLibrary& shipped = ew::fuzz::shippedTemplates();
+    for (std::size_t i = 0; i < shipped.size(); ++i) pack.templates.push_back(shipped.at(i));
+    const auto bytes = ew::writeTemplatePack(pack);
+    return bytes && seeds.put("pack", "shipped", *bytes);
+}
+
 bool modifications(const Seeds& seeds) {
     using namespace ew::test;
     bool ok = true;
@@ -180,6 +206,8 @@ int main(int argc, char** argv) {
     }
     // What changes there are is told by the bytes; any will do to begin with.
     ok &= seeds.put("rows", "any", std::string(64, 'x'));
+    ok &= blobs(seeds);
+    ok &= packs(seeds);
     ok &= scriptsAndDocuments(seeds);
     ok &= drawings(seeds);
     ok &= modifications(seeds);
