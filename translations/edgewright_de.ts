@@ -1322,6 +1322,14 @@
         <translation>L: ziehen, oder anklicken und eine Strecke eintippen; eine Zahl nach dem Zug berichtigt ihn</translation>
     </message>
     <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>sums and units count: 120/3 + 2, 2.5 cm, 1 1/2 in; a comma is a decimal mark, too</source>
+        <translation>Rechnungen und Einheiten gelten: 120/3 + 2, 2,5 cm, 1 1/2 in; ein Punkt trennt auch Dezimalen</translation>
+    </message>
+    <message>
         <source>Several solids</source>
         <translation>Mehrere Körper</translation>
     </message>

@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <limits>
 
+#include "ui/quantity.h"
+
 namespace ew {
 
 namespace {
@@ -42,25 +44,6 @@ QString rangeSentence(const QString& typed, const QString& least, const QString&
 
 }  // namespace
 
-std::optional<QString> decimalText(const QString& typed, const QLocale& locale) {
-    static const QRegularExpression kPlain(
-        QStringLiteral(R"(^\s*[-+]?(?:\d+[.,]?\d*|[.,]\d+)\s*$)"));
-    static const QRegularExpression kGrouped(
-        QStringLiteral(R"(^\s*[-+]?\d{1,3}(?:(?:\.\d{3})+,|(?:,\d{3})+\.)\d*\s*$)"));
-    QString text = typed;
-    if (kPlain.match(typed).hasMatch()) {
-        text.replace(QLatin1Char('.'), locale.decimalPoint());
-        text.replace(QLatin1Char(','), locale.decimalPoint());
-        return text;
-    }
-    if (!kGrouped.match(typed).hasMatch()) return std::nullopt;
-    const bool decimalComma =
-        typed.lastIndexOf(QLatin1Char(',')) > typed.lastIndexOf(QLatin1Char('.'));
-    text.remove(QLatin1Char(decimalComma ? '.' : ','));
-    text.replace(QLatin1Char(decimalComma ? ',' : '.'), locale.decimalPoint());
-    return text;
-}
-
 // With decimals ----------------------------------------------------------------------------------
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
@@ -76,9 +59,9 @@ std::optional<double> NumberBox::meant(const QString& text) const {
         typed.compare(specialValueText(), Qt::CaseInsensitive) == 0) {
         return minimum();
     }
-    const auto number = decimalText(typed, QLocale::c());
+    const auto number = quantity(typed, suffix().trimmed());
     if (!number) return std::nullopt;
-    return QString::number(number->toDouble(), 'f', decimals()).toDouble();
+    return QString::number(*number, 'f', decimals()).toDouble();
 }
 
 QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {

@@ -2,21 +2,14 @@
 #pragma once
 
 #include <QDoubleSpinBox>
-#include <QLocale>
 #include <QSpinBox>
 #include <optional>
 
 namespace ew {
 
-/// What a person means by a number with decimals, as the locale writes it without group separators.
-/// A comma and a point are both a decimal mark, whatever the language; where both are there, the
-/// last one is, and the other must stand between groups of three digits.
-/// \return nothing where it cannot be meant, as with "1,2,3" or "1e1": it is never guessed.
-std::optional<QString> decimalText(const QString& typed, const QLocale& locale);
-
-/// A field for a number with decimals, its unit typed or not. What cannot be meant stays as it was
-/// typed and is refused when it is to count; the value stays. Every printable key is the field's
-/// while it has the focus.
+/// A field for a number with decimals or a sum of such (quantity), its unit typed or not. What
+/// cannot be meant stays as it was typed and is refused when it is to count; the value stays. Every
+/// printable key is the field's while it has the focus.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 

@@ -10,6 +10,7 @@
 #include "ui/apply_controller.h"
 #include "ui/live_reading.h"
 #include "ui/panels/message_bar.h"
+#include "ui/quantity.h"
 #include "ui/tools/tool_box.h"
 
 namespace ew::test {
@@ -74,7 +75,7 @@ TEST(NumberBox, WhatCannotBeMeantIsRefusedAndNeverAnotherNumber) {
     box.setRange(1, 100);
     box.setDecimals(3);
     box.setSuffix(" mm");
-    for (const char* text : {"1.2.3", "1,2,3", "1..5", "1e1", "1x", "x", "5 cm", "5m", "--5",
+    for (const char* text : {"1.2.3", "1,2,3", "1..5", "1e1", "1x", "x", "5 kg", "5m", "--5",
                              "0x10", "1 2", "500", "0.5", "-5", "1.234.567"}) {
         expectRefused(box, text);
     }
@@ -96,6 +97,18 @@ TEST(NumberBox, ItsUnitMayBeTyped) {
     WholeNumberBox whole;
     whole.setSuffix(" MiB");
     for (const char* text : {"5", "5MiB", "5 MiB"}) EXPECT_EQ(typed(whole, text), 5) << text;
+}
+
+TEST(NumberBox, SumsAndOtherUnitsOfLengthCount) {
+    NumberBox box;
+    box.setRange(1, 1000);
+    box.setSuffix(" mm");
+    EXPECT_EQ(typed(box, "120/3 + 2"), 42);
+    EXPECT_EQ(box.text(), "42.00 mm");
+    EXPECT_EQ(typed(box, "2,5 cm"), 25);
+    EXPECT_EQ(typed(box, "1 1/2 in"), 38.1);
+    expectRefused(box, "2 in * 3 in");
+    expectRefused(box, "4/0");
 }
 
 TEST(NumberBox, AWordForItsLeastValueMayBeTyped) {

@@ -88,6 +88,9 @@ QString surfaceHelp() {
                  {Help::tr("Pull a face"),
                   Help::tr("L: drag it, or click it and type a distance; a number typed after a "
                            "pull corrects it")},
+                 {Help::tr("Numbers"),
+                  Help::tr("sums and units count: 120/3 + 2, 2.5 cm, 1 1/2 in; a comma is a "
+                           "decimal mark, too")},
                  {Help::tr("Several solids"),
                   Help::tr("the Solids panel shows, hides, names, moves, copies, joins and deletes "
                            "them")},
