@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>These lines converge as in perspective, by up to %1 degrees. Only right-angled shapes are read so; draw edges that are parallel in space as parallel lines.</source>
-        <translation>Diese Linien laufen wie in einer Perspektive zusammen, um bis zu %1 Grad. Nur rechtwinklige Formen werden so gelesen; zeichnen Sie Kanten, die im Raum parallel sind, als parallele Linien.</translation>
+        <translation>Diese Linien laufen wie in einer Perspektive zusammen, um bis zu %1 Grad. Nur rechtwinklige Formen werden so gelesen; im Raum parallele Kanten bitte als parallele Linien zeichnen.</translation>
     </message>
     <message>
         <source>This line is a curve; solids are drawn with straight lines (round them afterwards).</source>
