@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// edgewright-lesson: checks and packs lessons without a window, and tries what a pupil drew.
+// edgewright-lesson: checks and packs lessons without a window, tries what a pupil drew, and tells
+// how a class gets on.
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QStringList>
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "core/document/classroom/class_overview.h"
+#include "core/document/classroom/overview_text.h"
+#include "core/document/classroom/pupil_files.h"
 #include "core/document/file_bytes.h"
 #include "core/document/file_fault.h"
 #include "core/document/lesson/attempt.h"
@@ -31,16 +39,21 @@ constexpr const char* kHelp =
     "edgewright-lesson try FILE --step N --strokes SCRIPT\n"
     "                                         what the lesson says to strokes at its step N, "
     "counted from 0\n"
+    "       [--class FOLDER --pupil NAME]     and keeps it as that pupil's work in a class folder\n"
     "edgewright-lesson pack FOLDER --out FILE one file to pass on (.edgewright-lesson)\n"
+    "edgewright-lesson overview FOLDER [--csv FILE] [--html FILE]\n"
+    "                                         how the pupils of a class folder get on, and who is "
+    "stuck\n"
     "  --json      print JSON\n"
     "  --help, --version\n"
     "FILE is a lesson: a folder with lesson.json, this file, or an .edgewright-lesson.\n"
-    "Exit status: 0 all is well, 1 there are faults (one line each: FILE: /json/path: sentence) "
-    "or\n"
-    "the step is not done, 2 the arguments or a file cannot be used.\n";
+    "Exit status: 0 all is well, 1 there are faults (one line each: FILE: /json/path: sentence), "
+    "files\n"
+    "of the class that cannot be read, or the step is not done, 2 the arguments or a file cannot "
+    "be used.\n";
 
 struct Arguments : ew::ToolWords {
-    QString out, step, strokes;
+    QString out, step, strokes, classFolder, pupil, csv, html;
 };
 
 int unusable(const std::string& message) {
@@ -88,11 +101,43 @@ int check(const Arguments& arguments, const ew::TemplateLibrary& library) {
     return faults.empty() ? kDone : kFaults;
 }
 
+/// Keeps an attempt as a pupil's work in a class folder.
+ew::Result<void> keepAttempt(const Arguments& arguments, const ew::Lesson& lesson,
+                             const ew::SketchScript& script, const ew::Attempt& attempt) {
+    auto files =
+        ew::PupilFiles::join(arguments.classFolder, arguments.pupil, ew::ClassWriter::here());
+    if (!files) return ew::fail(files.error());
+    const auto step = static_cast<std::size_t>(arguments.step.toInt());
+    const ew::ClassTime now = QDateTime::currentSecsSinceEpoch();
+    ew::PupilProgress progress = files->progress();
+    const auto known = progress.lessons.find(lesson.id);
+    const bool goesOn = known != progress.lessons.end() && known->second.step == step &&
+                        known->second.steps.size() == lesson.steps.size();
+    if (!goesOn) ew::beginStep(progress, lesson.id, lesson.steps.size(), step, now);
+    if (attempt.done) {
+        const auto strokes = static_cast<int>(std::count_if(
+            script.steps.begin(), script.steps.end(),
+            [](const ew::ScriptStep& s) { return std::holds_alternative<ew::StrokeStep>(s); }));
+        const int stars = ew::starsFor(strokes, ew::wantedStrokes(lesson, step));
+        ew::finishStep(progress, lesson.id, stars, strokes, now);
+    } else {
+        ew::failStep(progress, lesson.id, attempt.hint, now);
+    }
+    if (auto ok = files->write(progress); !ok) return ok;
+    if (const auto notice = files->takeNotice()) {
+        std::fprintf(stderr, "edgewright-lesson: %s\n", notice->message.c_str());
+    }
+    return {};
+}
+
 int tryStrokes(const Arguments& arguments, const ew::TemplateLibrary& library) {
     bool isNumber = false;
     const int step = arguments.step.toInt(&isNumber);
     if (!isNumber || step < 0 || arguments.strokes.isEmpty() || arguments.files.size() != 1) {
         return unusable("try needs one lesson, --step N and --strokes SCRIPT");
+    }
+    if (arguments.classFolder.isEmpty() != arguments.pupil.isEmpty()) {
+        return unusable("--class and --pupil belong together");
     }
     const auto lesson = ew::readLesson(arguments.files.front());
     if (!lesson) return unusable(lesson.error().message);
@@ -102,6 +147,10 @@ int tryStrokes(const Arguments& arguments, const ew::TemplateLibrary& library) {
     if (!script) return unusable(arguments.strokes.toStdString() + ": " + script.error().message);
     const auto tried = ew::tryStep(*lesson, static_cast<std::size_t>(step), *script, library);
     if (!tried) return unusable(tried.error().message);
+    if (!arguments.classFolder.isEmpty()) {
+        const auto kept = keepAttempt(arguments, *lesson, *script, *tried);
+        if (!kept) return unusable(kept.error().message);
+    }
     if (arguments.json) {
         Json where = Json::array();
         for (const ew::Vec2& p : tried->where) where.push_back({p.x(), p.y()});
@@ -130,11 +179,53 @@ int pack(const Arguments& arguments) {
     return kDone;
 }
 
+/// A line for each pupil.
+void printPupils(const ew::ClassOverview& found) {
+    for (const ew::ClassPupil& pupil : found.pupils) {
+        std::string line = pupil.progress.name + ": steps " +
+                           ew::starsText(pupil.done(), found.steps()) + ", stars " +
+                           ew::starsText(pupil.stars(), ew::kMostStars * found.steps()) + ", " +
+                           ew::durationText(pupil.seconds());
+        if (pupil.stuck) line += "; stuck: " + ew::stuckText(found, *pupil.stuck);
+        std::printf("%s\n", line.c_str());
+    }
+}
+
+int overview(const Arguments& arguments) {
+    if (arguments.files.size() != 1) return unusable("overview needs one class folder");
+    const auto resources = ew::resourcesFolder();
+    const QString shipped = resources ? *resources + QStringLiteral("/lessons") : QString();
+    const auto found = ew::readClass(arguments.files.front(), shipped);
+    if (!found) return unusable(found.error().message);
+    if (!arguments.csv.isEmpty()) {
+        const auto ok = ew::writeFileBytes(arguments.csv, ew::overviewCsv(*found));
+        if (!ok) return unusable(ok.error().message);
+    }
+    if (!arguments.html.isEmpty()) {
+        const auto ok = ew::writeFileBytes(arguments.html, ew::overviewHtml(*found));
+        if (!ok) return unusable(ok.error().message);
+    }
+    if (arguments.json) {
+        std::printf("%s\n", ew::overviewJson(*found).c_str());
+    } else {
+        printPupils(*found);
+        for (const ew::FileFault& f : found->problems) std::printf("%s\n", f.line().c_str());
+    }
+    return found->problems.empty() ? kDone : kFaults;
+}
+
 ew::Result<Arguments> readArguments(const QStringList& words) {
     Arguments out;
-    auto said = ew::readToolWords(
-        words, {QStringLiteral("check"), QStringLiteral("try"), QStringLiteral("pack")},
-        {{"--out", &out.out}, {"--step", &out.step}, {"--strokes", &out.strokes}});
+    auto said = ew::readToolWords(words,
+                                  {QStringLiteral("check"), QStringLiteral("try"),
+                                   QStringLiteral("pack"), QStringLiteral("overview")},
+                                  {{"--out", &out.out},
+                                   {"--step", &out.step},
+                                   {"--strokes", &out.strokes},
+                                   {"--class", &out.classFolder},
+                                   {"--pupil", &out.pupil},
+                                   {"--csv", &out.csv},
+                                   {"--html", &out.html}});
     if (!said) return ew::fail(said.error());
     static_cast<ew::ToolWords&>(out) = *std::move(said);
     return out;
@@ -160,6 +251,7 @@ int main(int argc, char** argv) {
     }
     const Arguments& arguments = *read;
     if (arguments.command == QStringLiteral("pack")) return pack(arguments);
+    if (arguments.command == QStringLiteral("overview")) return overview(arguments);
     const auto templates = ew::loadTemplates();
     if (!templates) return unusable(templates.error().message);
     return arguments.command == QStringLiteral("check") ? check(arguments, templates->library)

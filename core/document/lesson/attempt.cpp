@@ -102,6 +102,21 @@ std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t ste
     return {begin < to && isStroke(begin) ? begin : from, to};
 }
 
+int starsFor(int drawnStrokes, int wantedStrokes) {
+    constexpr int kThree = 3;
+    if (drawnStrokes <= wantedStrokes) return kThree;
+    return 2 * drawnStrokes <= 3 * wantedStrokes ? 2 : 1;
+}
+
+int wantedStrokes(const Lesson& lesson, std::size_t step) {
+    const auto [from, to] = taskOf(lesson, step);
+    int count = 0;
+    for (std::size_t i = from; i < to; ++i) {
+        if (std::holds_alternative<StrokeStep>(lesson.solution.steps[i])) ++count;
+    }
+    return count;
+}
+
 Unlike stageUnlike(const LessonStage& stage, const Document& pupil, double tolerance) {
     const Unlike how = likeness(stage.begin->state(), *stage.wanted, pupil.state(), tolerance);
     if (how != Unlike::Nothing || !stage.thresholds) return how;
