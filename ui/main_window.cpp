@@ -104,6 +104,7 @@ MainWindow::~MainWindow() {
     // A shape that is being made may still become a step, which the tools and their actions hear
     // of.
     surface_->settle();
+    lesson_->leaveClass();
     delete tools_;
     delete work_;
     delete takeCentralWidget();
@@ -194,8 +195,7 @@ void MainWindow::buildActions() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* quick = help->addAction(tr("&Quick help"), this, [this] { showQuickHelp(this); });
     quick->setShortcut(QKeySequence::HelpContents);
-    lesson_ = new LessonDock(
-        context, [this] { return files_->mayDiscard(); }, this);
+    lesson_ = new LessonDock(context, *files_, this);
     lesson_->fill(help);
     help->addAction(tr("&Keyboard shortcuts"), this,
                     [this] { showShortcuts(this, menuBar()->actions()); });
@@ -391,7 +391,8 @@ bool MainWindow::panelInUse() const {
 
 void MainWindow::refreshTitle() {
     const QString path = document_->filePath();
-    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).completeBaseName();
+    const QString name =
+        path.isEmpty() ? files_->untitledName() : QFileInfo(path).completeBaseName();
     if (startShown() && path.isEmpty() && !document_->isModified()) {
         setWindowTitle(QStringLiteral("Edgewright"));
         return;

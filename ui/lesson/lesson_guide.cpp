@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/document/store.h"
+#include "ui/apply_controller.h"
 #include "ui/viewport/viewport_widget.h"
 
 namespace ew {
@@ -34,24 +35,31 @@ LessonGuide::LessonGuide(const WindowContext& context, QObject* parent)
         if (drawn_ >= 1.0) pen_.stop();
         showGhost(std::min(drawn_, 1.0));
     });
+    connect(&context_.apply, &ApplyController::failed, this, [this](const Error& error) {
+        if (running() && !done_) emit stepFailed(std::string(errcName(error.code)));
+    });
 }
 
-Result<void> LessonGuide::start(const QString& path) {
+Result<void> LessonGuide::start(const QString& path,
+                                const std::function<std::size_t(const Lesson&)>& step) {
     auto lesson = readLesson(path);
     if (!lesson) return fail(lesson.error());
     // A lesson is about the templates that the window has.
     TemplateLibrary library = context_.document.stateAt(0)->library;
-    auto first = stageOf(*lesson, 0, library);
+    const std::size_t at = step ? step(*lesson) : 0;
+    auto first = stageOf(*lesson, at, library);
     if (!first) return fail(first.error());
+    if (running()) emit stopping();
     lesson_ = *std::move(lesson);
     shipped_ = std::move(library);
     stars_.assign(lesson_->steps.size(), 0);
-    enter(0, *std::move(first));
+    enter(at, *std::move(first));
     return {};
 }
 
 void LessonGuide::stop() {
     if (!running()) return;
+    emit stopping();
     lesson_.reset();
     pen_.stop();
     context_.viewport.setGhost(std::nullopt);
@@ -86,6 +94,8 @@ void LessonGuide::enter(std::size_t step, LessonStage stage) {
         if (stroke != nullptr) ghost_.strokes.push_back(stroke->stroke);
     }
     showGhost(0.0);
+    judgedIndex_ = context_.document.undoStack().index();
+    emit stepBegun();
     emit changed();
 }
 
@@ -135,18 +145,24 @@ void LessonGuide::judge() {
     if (!running()) return;
     const Unlike how = stageUnlike(stage_, context_.document, lesson_->steps[step_].tolerance);
     remark_ = how == Unlike::NotYet ? std::string() : unlikeSentence(how);
+    const int index = context_.document.undoStack().index();
+    const bool isNew = index > judgedIndex_;
+    judgedIndex_ = index;
     if (how == Unlike::Nothing && !done_) {
-        done_ = true;
-        const int wanted = static_cast<int>(ghost_.strokes.size());
-        constexpr int kThree = 3;
-        const bool few = drawnStrokes_ <= wanted;
-        const bool some = 2 * drawnStrokes_ <= 3 * wanted;
-        stars_[step_] = few ? kThree : some ? 2 : 1;
-        pen_.stop();
-        showGhost(0.0);
-        remember();
+        finish();
+    } else if (!remark_.empty() && isNew && !done_) {
+        emit stepFailed(unlikeName(how));
     }
     emit changed();
+}
+
+void LessonGuide::finish() {
+    done_ = true;
+    stars_[step_] = starsFor(drawnStrokes_, static_cast<int>(ghost_.strokes.size()));
+    pen_.stop();
+    showGhost(0.0);
+    remember();
+    emit stepFinished(stars_[step_], drawnStrokes_);
 }
 
 void LessonGuide::remember() const {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,9 @@ class LessonGuide : public QObject {
 
     /// Begins a lesson in place of the document. On error nothing changes. Errors: those of
     /// readLesson() and stageOf().
-    Result<void> start(const QString& path);
+    /// \param step  to begin at, by the lesson; empty: at the first.
+    Result<void> start(const QString& path,
+                       const std::function<std::size_t(const Lesson&)>& step = {});
     /// Ends it; the document stays as it is.
     void stop();
     bool running() const { return lesson_.has_value(); }
@@ -49,12 +52,19 @@ class LessonGuide : public QObject {
     /// Everything that the functions above tell.
     void changed();
     void failed(const ew::Error& error);
+    void stepBegun();
+    /// What was made, or tried, is not what is wanted; the code of the hint.
+    void stepFailed(const std::string& hint);
+    void stepFinished(int stars, int strokes);
+    /// The lesson ends; it is still running.
+    void stopping();
 
   private:
     void begin(std::size_t step);
     void enter(std::size_t step, LessonStage stage);
     void documentChanged(DocumentChange what);
     void judge();
+    void finish();
     void showGhost(double drawn);
     void remember() const;
 
@@ -69,6 +79,7 @@ class LessonGuide : public QObject {
     bool judgeSoon_ = false;
     int drawnStrokes_ = 0;
     std::size_t pending_ = 0;
+    int judgedIndex_ = 0;  ///< of the undo stack: each result is counted once
     std::vector<int> stars_;
     std::string remark_;
     QTimer pen_;

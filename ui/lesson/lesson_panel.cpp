@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_panel.h"
 
+#include <QDir>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -10,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/core_text.h"
+#include "ui/lesson/class_session.h"
 #include "ui/lesson/lesson_guide.h"
 #include "ui/theme/appearance.h"
 
@@ -36,8 +38,9 @@ QString starText(int stars) {
 
 }  // namespace
 
-LessonPanel::LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* parent)
-    : QWidget(parent), guide_(guide), appearance_(appearance) {
+LessonPanel::LessonPanel(LessonGuide& guide, ClassSession& session, Appearance& appearance,
+                         QWidget* parent)
+    : QWidget(parent), guide_(guide), session_(session), appearance_(appearance) {
     setObjectName(QStringLiteral("lessonPanel"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kMargin, metrics::kSpace, metrics::kMargin,
@@ -47,6 +50,8 @@ LessonPanel::LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* pa
     bold.setBold(true);
     title_->setFont(bold);
     place_ = textLabel(this);
+    pupil_ = textLabel(this);
+    pupil_->setObjectName(QStringLiteral("lessonPupil"));
     progress_ = new QProgressBar(this);
     progress_->setTextVisible(false);
     progress_->setMaximumHeight(6);
@@ -73,6 +78,7 @@ LessonPanel::LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* pa
     buttons->addWidget(next_, 1, 1);
     buttons->addWidget(end, 2, 0, 1, 2);
     layout->addWidget(title_);
+    layout->addWidget(pupil_);
     layout->addWidget(place_);
     layout->addWidget(progress_);
     layout->addSpacing(metrics::kSpace);
@@ -86,6 +92,7 @@ LessonPanel::LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* pa
     connect(next_, &QPushButton::clicked, &guide_, &LessonGuide::next);
     connect(end, &QPushButton::clicked, this, &LessonPanel::endWanted);
     connect(&guide_, &LessonGuide::changed, this, &LessonPanel::refresh);
+    connect(&session_, &ClassSession::changed, this, &LessonPanel::refresh);
     connect(&appearance, &Appearance::changed, this, &LessonPanel::refresh);
     refresh();
 }
@@ -105,6 +112,7 @@ void LessonPanel::refresh() {
     const int count = static_cast<int>(lesson.steps.size());
     const int number = static_cast<int>(step_) + 1;
     title_->setText(inWindowsLanguage(lesson.title));
+    showPupil();
     place_->setText(tr("Step %1 of %2").arg(number).arg(count));
     progress_->setRange(0, count);
     progress_->setValue(guide_.stepDone() ? number : number - 1);
@@ -131,6 +139,18 @@ void LessonPanel::refresh() {
     next_->setEnabled(guide_.stepDone());
     next_->setDefault(guide_.stepDone());
     claimHeight();
+}
+
+/// Who works here, so that nobody goes on in the name of who sat here before.
+void LessonPanel::showPupil() {
+    pupil_->setVisible(session_.joined());
+    const QString name = QDir(session_.classFolder()).dirName();
+    const QString who = tr("%1 in %2").arg(session_.pupil(), name);
+    pupil_->setText(session_.isKept() ? who : tr("%1: not kept in the class folder yet").arg(who));
+    const ThemeColours& colours = appearance_.colours();
+    QPalette palette = pupil_->palette();
+    palette.setColor(QPalette::WindowText, session_.isKept() ? colours.mutedText : colours.warning);
+    pupil_->setPalette(palette);
 }
 
 /// Layouts do not pass on what height wrapped texts need, so the column would take it from them.

@@ -10,6 +10,7 @@ class QPushButton;
 namespace ew {
 
 class Appearance;
+class ClassSession;
 class LessonGuide;
 
 /// What a lesson says: the step, what to do, what became of it, hints.
@@ -17,7 +18,8 @@ class LessonPanel : public QWidget {
     Q_OBJECT
 
   public:
-    LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* parent = nullptr);
+    LessonPanel(LessonGuide& guide, ClassSession& session, Appearance& appearance,
+                QWidget* parent = nullptr);
 
   signals:
     /// The lesson is to end.
@@ -28,13 +30,16 @@ class LessonPanel : public QWidget {
 
   private:
     void claimHeight();
+    void showPupil();
     void refresh();
     void showHint();
 
     LessonGuide& guide_;
+    ClassSession& session_;
     Appearance& appearance_;
     QLabel* title_;
     QLabel* place_;
+    QLabel* pupil_;
     QProgressBar* progress_;
     QLabel* task_;
     QLabel* said_;

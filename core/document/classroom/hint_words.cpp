@@ -23,6 +23,7 @@ std::string hintWords(const std::string& code) {
         {"curved-stroke", "a line is curved"},
         {"scribble", "a scribble"},
         {"too-small", "the drawing is too small"},
+        {"perspective", "a drawing in perspective"},
         {"self-crossing", "lines cross"},
         {"flat-drawing", "an outline with no lines in it"},
         {"no-match", "a shape that is not known"},
