@@ -230,6 +230,24 @@ TEST_F(ClassTest, AnotherMachineWithHerNameIsTold) {
     EXPECT_EQ(overview().pupils.size(), 2U);
 }
 
+TEST_F(ClassTest, WhoJoinsAgainHasOneFolder) {
+    join("Anna");
+    begin("first-box");
+    trace();
+    join("Anna");
+    EXPECT_FALSE(guide().running());
+    begin("first-box");
+    EXPECT_EQ(guide().step(), 1U);
+    join("Berta");
+    EXPECT_FALSE(guide().running()) << "nobody goes on in another's name";
+    EXPECT_EQ(session().pupil(), "Berta");
+    const auto joined = session().join(classFolder() + "/none", "Carla");
+    ASSERT_FALSE(joined);
+    EXPECT_EQ(session().pupil(), "Berta");
+    session().leave();
+    EXPECT_EQ(overview().pupils.size(), 2U);
+}
+
 TEST_F(ClassTest, ClosingTheWindowKeepsWhatWasDone) {
     join("Anna");
     begin("first-box");

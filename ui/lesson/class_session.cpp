@@ -67,13 +67,19 @@ QString ClassSession::standardShelf() {
 }
 
 Result<void> ClassSession::join(const QString& classFolder, const QString& name) {
+    // What the pupil before did is written before the new one's folder is taken: it may be the
+    // same.
+    if (joined()) {
+        guide_.stop();
+        settle();
+    }
     auto files = PupilFiles::join(classFolder, name, ClassWriter::here());
     if (!files) return fail(files.error());
     Outcome told;
     told.notice = files->takeNotice();
     if (auto ok = files->unshelve(shelf_); !ok) return ok;
     if (const auto brought = files->takeNotice()) emit noticed(coreText(brought->message));
-    leave();
+    forget();
     files_ = std::make_shared<PupilFiles>(*std::move(files));
     progress_ = files_->progress();
     folder_ = files_->classFolder();
@@ -85,11 +91,14 @@ Result<void> ClassSession::join(const QString& classFolder, const QString& name)
 
 void ClassSession::leave() {
     if (!joined()) return;
-    if (guide_.running()) {
-        lessonChanged([&](const std::string& id, ClassTime time) { keepTime(progress_, id, time); },
-                      true);
-    }
+    // Nobody goes on in her name.
+    guide_.stop();
     settle();
+    forget();
+    emit changed();
+}
+
+void ClassSession::forget() {
     soon_.stop();
     tick_.stop();
     files_.reset();
@@ -97,7 +106,6 @@ void ClassSession::leave() {
     progress_ = {};
     documents_.clear();
     dirty_ = failing_ = false;
-    emit changed();
 }
 
 QString ClassSession::pupil() const { return QString::fromStdString(progress_.name); }

@@ -34,9 +34,10 @@ class ClassSession : public QObject {
     /// `edgewright/class` in the user's state folder.
     static QString standardShelf();
 
-    /// Errors: those of PupilFiles::join(); the pupil who was at work stays then.
+    /// Ends the lesson of the pupil who was at work here. Errors: those of PupilFiles::join(); that
+    /// pupil stays then.
     Result<void> join(const QString& classFolder, const QString& name);
-    /// Keeps what is not kept yet, and goes.
+    /// Ends the lesson, keeps what is not kept yet, and goes.
     void leave();
     bool joined() const { return files_ != nullptr; }
     // The following are empty where nobody has joined.
@@ -72,6 +73,7 @@ class ClassSession : public QObject {
     void begin();
     void finished(const Outcome& outcome, Documents documents);
     void tell(const Outcome& outcome);
+    void forget();
 
     WindowContext context_;
     LessonGuide& guide_;
