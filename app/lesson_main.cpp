@@ -22,6 +22,8 @@
 #include "core/document/lesson/attempt.h"
 #include "core/document/lesson/lesson.h"
 #include "core/document/lesson/lesson_check.h"
+#include "core/document/practice/practice_picture.h"
+#include "core/document/practice/practice_task.h"
 #include "core/document/resources.h"
 #include "core/document/tool_words.h"
 
@@ -44,6 +46,10 @@ constexpr const char* kHelp =
     "edgewright-lesson overview FOLDER [--csv FILE] [--html FILE]\n"
     "                                         how the pupils of a class folder get on, and who is "
     "stuck\n"
+    "edgewright-lesson practice --level L --seed N [--svg FILE] [--solution FILE]\n"
+    "                                         an exercise, the same on every machine\n"
+    "edgewright-lesson practice --level L --seed N --answer SCRIPT\n"
+    "                                         how well a drawing does it\n"
     "  --json      print JSON\n"
     "  --help, --version\n"
     "FILE is a lesson: a folder with lesson.json, this file, or an .edgewright-lesson.\n"
@@ -53,7 +59,7 @@ constexpr const char* kHelp =
     "be used.\n";
 
 struct Arguments : ew::ToolWords {
-    QString out, step, strokes, classFolder, pupil, csv, html;
+    QString out, step, strokes, classFolder, pupil, csv, html, level, seed, answer, svg, solution;
 };
 
 int unusable(const std::string& message) {
@@ -214,18 +220,90 @@ int overview(const Arguments& arguments) {
     return found->problems.empty() ? kDone : kFaults;
 }
 
+int printGrade(const ew::PracticeGrade& grade, bool json) {
+    const ew::Attempt& attempt = grade.attempt;
+    if (json) {
+        print({{"done", attempt.done},
+               {"hint", attempt.done ? Json() : Json(attempt.hint)},
+               {"message", attempt.message},
+               {"accuracy", grade.accuracy},
+               {"strokes", grade.hand.strokes},
+               {"seconds", grade.hand.seconds},
+               {"wobble_px", grade.hand.wobblePx}});
+    } else if (attempt.done) {
+        std::printf("done: accuracy %.0f %%, %d strokes, %.1f s, off straight by %.1f px\n",
+                    100.0 * grade.accuracy, grade.hand.strokes, grade.hand.seconds,
+                    grade.hand.wobblePx);
+    } else {
+        std::printf("%s: %s\n", attempt.hint.c_str(), attempt.message.c_str());
+    }
+    return attempt.done ? kDone : kFaults;
+}
+
+int gradeAnswer(const Arguments& arguments, const ew::PracticeTask& task,
+                const ew::TemplateLibrary& library) {
+    const auto text = ew::readFileBytes(arguments.answer, ew::kMaxScriptBytes);
+    if (!text) return unusable(text.error().message);
+    const auto script = ew::readSketchScript(*text);
+    if (!script) return unusable(arguments.answer.toStdString() + ": " + script.error().message);
+    const auto grade = ew::gradePractice(task, *script, library);
+    if (!grade) return unusable(grade.error().message);
+    return printGrade(*grade, arguments.json);
+}
+
+int practice(const Arguments& arguments, const ew::TemplateLibrary& library) {
+    bool isLevel = false;
+    bool isSeed = false;
+    const int level = arguments.level.toInt(&isLevel);
+    const std::uint32_t seed = arguments.seed.toUInt(&isSeed);
+    if (!isLevel || !isSeed || !arguments.files.isEmpty()) {
+        return unusable("practice needs --level L and --seed N, and no other file");
+    }
+    const auto task = ew::practiceTask(level, seed, library);
+    if (!task) return unusable(task.error().message);
+    const auto write = [](const QString& path, const std::string& bytes) -> ew::Result<void> {
+        return path.isEmpty() ? ew::Result<void>() : ew::writeFileBytes(path, bytes);
+    };
+    auto written = write(arguments.svg, ew::practiceSvg(*task));
+    if (written) {
+        written = write(arguments.solution, ew::writeSketchScript(task->lesson.solution));
+    }
+    if (!written) return unusable(written.error().message);
+    if (!arguments.answer.isEmpty()) return gradeAnswer(arguments, *task, library);
+    const std::string text = ew::textIn(task->lesson.steps.front().text, "en");
+    if (arguments.json) {
+        print({{"format", "edgewright-practice"},
+               {"version", 1},
+               {"level", level},
+               {"seed", seed},
+               {"kind", ew::practiceKindName(task->kind)},
+               {"text", text},
+               {"svg", ew::practiceSvg(*task)}});
+    } else {
+        std::printf("%s\n%s\n", ew::practiceKindName(task->kind).c_str(), text.c_str());
+    }
+    return kDone;
+}
+
 ew::Result<Arguments> readArguments(const QStringList& words) {
     Arguments out;
-    auto said = ew::readToolWords(words,
-                                  {QStringLiteral("check"), QStringLiteral("try"),
-                                   QStringLiteral("pack"), QStringLiteral("overview")},
-                                  {{"--out", &out.out},
-                                   {"--step", &out.step},
-                                   {"--strokes", &out.strokes},
-                                   {"--class", &out.classFolder},
-                                   {"--pupil", &out.pupil},
-                                   {"--csv", &out.csv},
-                                   {"--html", &out.html}});
+    auto said =
+        ew::readToolWords(words,
+                          {QStringLiteral("check"), QStringLiteral("try"), QStringLiteral("pack"),
+                           QStringLiteral("overview"), QStringLiteral("practice")},
+                          {{"--out", &out.out},
+                           {"--step", &out.step},
+                           {"--strokes", &out.strokes},
+                           {"--class", &out.classFolder},
+                           {"--pupil", &out.pupil},
+                           {"--csv", &out.csv},
+                           {"--html", &out.html},
+                           {"--level", &out.level},
+                           {"--seed", &out.seed},
+                           {"--answer", &out.answer},
+                           {"--svg", &out.svg},
+                           {"--solution", &out.solution}},
+                          {QStringLiteral("practice")});
     if (!said) return ew::fail(said.error());
     static_cast<ew::ToolWords&>(out) = *std::move(said);
     return out;
@@ -254,6 +332,9 @@ int main(int argc, char** argv) {
     if (arguments.command == QStringLiteral("overview")) return overview(arguments);
     const auto templates = ew::loadTemplates();
     if (!templates) return unusable(templates.error().message);
+    if (arguments.command == QStringLiteral("practice")) {
+        return practice(arguments, templates->library);
+    }
     return arguments.command == QStringLiteral("check") ? check(arguments, templates->library)
                                                         : tryStrokes(arguments, templates->library);
 }

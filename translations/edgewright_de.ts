@@ -1511,6 +1511,14 @@
         <source>a drawing in perspective</source>
         <translation>eine Zeichnung in Perspektive</translation>
     </message>
+    <message>
+        <source>A level is from 1 to %1.</source>
+        <translation>Eine Stufe ist von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>No exercise was found for this number; try another one.</source>
+        <translation>Für diese Nummer wurde keine Übung gefunden; nimm eine andere.</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1685,6 +1693,13 @@ Free software under the GNU General Public License, version 3 or later, without 
         <translation>Macht aus Stiftstrichen Schritt für Schritt Körper, mit einer Topologie-Bibliothek.
 
 Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, OpenSubdiv, CGAL und Eigen.</translation>
+    </message>
+</context>
+<context>
+    <name>PracticeCurve</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -2847,6 +2862,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>%1: not kept in the class folder yet</source>
         <translation>%1: noch nicht im Klassenordner gesichert</translation>
     </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>End the exercise</source>
+        <translation>Übung beenden</translation>
+    </message>
 </context>
 <context>
     <name>ew::LongJob</name>
@@ -3267,6 +3298,95 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
 since %2</source>
         <translation>%1
 seit %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeActions</name>
+    <message>
+        <source>&amp;Practice…</source>
+        <translation>Ü&amp;ben …</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeCurve</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Accuracy %1, pen down for %2, lines off straight by %3.</source>
+        <translation>Genauigkeit %1, Stift unten %2, Linien um %3 krumm.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Wobble</source>
+        <translation>Zittern</translation>
+    </message>
+    <message>
+        <source>After the first exercise your accuracy, time and steadiness are shown here.</source>
+        <translation>Nach der ersten Übung stehen hier deine Genauigkeit, deine Zeit und deine ruhige Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeDialog</name>
+    <message>
+        <source>Boxes</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Prisms, pyramids, frusta</source>
+        <translation>Prismen, Pyramiden, Stümpfe</translation>
+    </message>
+    <message>
+        <source>Houses, angles, columns</source>
+        <translation>Häuser, Winkel, Säulen</translation>
+    </message>
+    <message>
+        <source>Stairs, channels, T-beams</source>
+        <translation>Treppen, Rinnen, T-Träger</translation>
+    </message>
+    <message>
+        <source>Boxes on boxes</source>
+        <translation>Quader auf Quadern</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Draw a solid that is shown as it is to be drawn, or from three sides. A number is the same solid for everybody in a class.</source>
+        <translation>Zeichne einen Körper, der so gezeigt wird, wie er zu zeichnen ist, oder von drei Seiten. Eine Nummer ist für alle in einer Klasse derselbe Körper.</translation>
+    </message>
+    <message>
+        <source>&amp;Any number</source>
+        <translation>&amp;Irgendeine</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Stufe:</translation>
+    </message>
+    <message>
+        <source>&amp;Number:</source>
+        <translation>&amp;Nummer:</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>

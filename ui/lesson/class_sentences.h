@@ -5,7 +5,7 @@
 
 namespace ew {
 
-/// What the core says of class folders, for coreText().
+/// What the core says of class folders and exercises, for coreText().
 inline constexpr const char* kClassSentences[] = {
     QT_TRANSLATE_NOOP("Core", "A pupil has a name."),
     QT_TRANSLATE_NOOP("Core", "A pupil's name has at most %1 letters."),
@@ -30,6 +30,8 @@ inline constexpr const char* kClassSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1: this is no pupil's progress"),
     QT_TRANSLATE_NOOP("Core", "%1: this program reads version 1"),
     QT_TRANSLATE_NOOP("Core", "%1: another lesson has this id, too"),
+    QT_TRANSLATE_NOOP("Core", "A level is from 1 to %1."),
+    QT_TRANSLATE_NOOP("Core", "No exercise was found for this number; try another one."),
 };
 
 /// Words of the overview (OverviewWords::say); they are said as they stand here.

@@ -130,7 +130,7 @@ std::size_t ClassSession::stepOf(const Lesson& lesson) const {
 ///     she did and has not come to a step since.
 void ClassSession::lessonChanged(const std::function<void(const std::string&, ClassTime)>& change,
                                  bool withDocument) {
-    if (!joined() || !guide_.running()) return;
+    if (!joined() || !guide_.running() || guide_.practice() != nullptr) return;
     const std::string& id = guide_.lesson().id;
     const LessonProgress* known = progress(id);
     if (withDocument && (known == nullptr || known->steps.size() != guide_.lesson().steps.size())) {
@@ -143,12 +143,18 @@ void ClassSession::lessonChanged(const std::function<void(const std::string&, Cl
 }
 
 void ClassSession::tick() {
-    if (!joined() || !guide_.running() || guide_.stepDone() || sinceInput_.elapsed() > kAwayMs) {
+    if (!joined() || !guide_.running() || guide_.practice() != nullptr || guide_.stepDone() ||
+        sinceInput_.elapsed() > kAwayMs) {
         return;
     }
     const std::string& id = guide_.lesson().id;
     if (progress(id) == nullptr) return;
     keepTime(progress_, id, now());
+    writeSoon();
+}
+
+void ClassSession::keepPractice(const PracticeResult& result) {
+    addResult(progress_.practice, result);
     writeSoon();
 }
 

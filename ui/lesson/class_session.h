@@ -47,6 +47,9 @@ class ClassSession : public QObject {
     const LessonProgress* progress(const std::string& lesson) const;
     /// The step to begin a lesson at: where she was, or the first where she was through.
     std::size_t stepOf(const Lesson& lesson) const;
+    const std::vector<PracticeResult>& practice() const { return progress_.practice; }
+    /// \pre joined()
+    void keepPractice(const PracticeResult& result);
     /// Writes what is not written yet, and waits for it; false where that fails.
     bool settle();
     /// Is everything in the class folder, as far as is known?

@@ -12,18 +12,21 @@
 #include "ui/lesson/class_actions.h"
 #include "ui/lesson/class_session.h"
 #include "ui/lesson/lesson_guide.h"
+#include "ui/lesson/practice_actions.h"
 #include "ui/panels/message_bar.h"
 
 namespace ew {
 
 LessonActions::LessonActions(const WindowContext& context, LessonGuide& guide,
                              ClassSession& session, ClassActions& classes,
-                             std::function<bool()> mayDiscard, QWidget* window)
+                             PracticeActions& practice, std::function<bool()> mayDiscard,
+                             QWidget* window)
     : QObject(window),
       context_(context),
       guide_(guide),
       session_(session),
       classes_(classes),
+      practice_(practice),
       mayDiscard_(std::move(mayDiscard)),
       window_(window) {
     connect(&guide_, &LessonGuide::failed, &context_.messages, &MessageBar::showError);
@@ -53,6 +56,7 @@ void LessonActions::fillLessons(QMenu* menu) {
     }
     menu->addSeparator();
     menu->addAction(tr("&Open a lesson…"), this, &LessonActions::choose);
+    practice_.fill(menu);
     menu->addSeparator();
     classes_.fill(menu);
 }

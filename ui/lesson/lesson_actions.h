@@ -14,6 +14,7 @@ namespace ew {
 class ClassActions;
 class ClassSession;
 class LessonGuide;
+class PracticeActions;
 
 /// The lessons that there are, and how one is begun and ended.
 class LessonActions : public QObject {
@@ -22,10 +23,11 @@ class LessonActions : public QObject {
   public:
     /// \param mayDiscard  asks about work that is not saved; false: nothing is to be done.
     LessonActions(const WindowContext& context, LessonGuide& guide, ClassSession& session,
-                  ClassActions& classes, std::function<bool()> mayDiscard, QWidget* window);
+                  ClassActions& classes, PracticeActions& practice,
+                  std::function<bool()> mayDiscard, QWidget* window);
 
     /// A menu of its own with every lesson (those of the class, where a pupil works in one; else
-    /// the shipped ones), a file to be chosen, and what there is to do in classes.
+    /// the shipped ones), a file to be chosen, exercises, and what there is to do in classes.
     void fill(QMenu* menu);
     /// Begins a lesson, after asking about work that is not saved; false where it does not.
     bool begin(const QString& path);
@@ -39,6 +41,7 @@ class LessonActions : public QObject {
     LessonGuide& guide_;
     ClassSession& session_;
     ClassActions& classes_;
+    PracticeActions& practice_;
     std::function<bool()> mayDiscard_;
     QWidget* window_;
 };

@@ -9,6 +9,7 @@
 #include "ui/lesson/lesson_actions.h"
 #include "ui/lesson/lesson_guide.h"
 #include "ui/lesson/lesson_panel.h"
+#include "ui/lesson/practice_actions.h"
 
 namespace ew {
 
@@ -17,9 +18,11 @@ LessonDock::LessonDock(const WindowContext& context, FileActions& files, QMainWi
       guide_(new LessonGuide(context, this)),
       session_(new ClassSession(context, *guide_, ClassSession::standardShelf(), this)),
       classes_(new ClassActions(context, *session_, files, window)),
+      practice_(new PracticeActions(
+          context, *guide_, *session_, [&files] { return files.mayDiscard(); }, window)),
       actions_(new LessonActions(
-          context, *guide_, *session_, *classes_, [&files] { return files.mayDiscard(); },
-          window)) {
+          context, *guide_, *session_, *classes_, *practice_,
+          [&files] { return files.mayDiscard(); }, window)) {
     setObjectName(QStringLiteral("lessonDock"));
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     auto* panel = new LessonPanel(*guide_, *session_, context.appearance, this);

@@ -15,6 +15,7 @@ class ClassSession;
 class FileActions;
 class LessonActions;
 class LessonGuide;
+class PracticeActions;
 
 /// The place of a lesson in a window: its panel, which is there while one runs and in no list of
 /// panels, and its menu.
@@ -28,6 +29,7 @@ class LessonDock : public QDockWidget {
     LessonGuide& guide() { return *guide_; }
     ClassSession& session() { return *session_; }
     ClassActions& classes() { return *classes_; }
+    PracticeActions& practice() { return *practice_; }
     void fill(QMenu* menu);
     /// Begins a lesson, after asking about work that is not saved; false where it does not.
     bool begin(const QString& path);
@@ -40,6 +42,7 @@ class LessonDock : public QDockWidget {
     LessonGuide* guide_;
     ClassSession* session_;
     ClassActions* classes_;
+    PracticeActions* practice_;
     LessonActions* actions_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_guide.h"
 
+#include <QDateTime>
 #include <QSettings>
 #include <QUndoStack>
 #include <algorithm>
@@ -50,6 +51,7 @@ Result<void> LessonGuide::start(const QString& path,
     auto first = stageOf(*lesson, at, library);
     if (!first) return fail(first.error());
     if (running()) emit stopping();
+    practice_.reset();
     lesson_ = *std::move(lesson);
     shipped_ = std::move(library);
     stars_.assign(lesson_->steps.size(), 0);
@@ -57,10 +59,24 @@ Result<void> LessonGuide::start(const QString& path,
     return {};
 }
 
+Result<void> LessonGuide::startPractice(PracticeTask task) {
+    TemplateLibrary library = context_.document.stateAt(0)->library;
+    auto first = stageOf(task.lesson, 0, library);
+    if (!first) return fail(first.error());
+    if (running()) emit stopping();
+    practice_ = std::move(task);
+    lesson_ = practice_->lesson;
+    shipped_ = std::move(library);
+    stars_.assign(1, 0);
+    enter(0, *std::move(first));
+    return {};
+}
+
 void LessonGuide::stop() {
     if (!running()) return;
     emit stopping();
     lesson_.reset();
+    practice_.reset();
     pen_.stop();
     context_.viewport.setGhost(std::nullopt);
     emit changed();
@@ -80,6 +96,9 @@ void LessonGuide::enter(std::size_t step, LessonStage stage) {
     done_ = false;
     remark_.clear();
     drawnStrokes_ = 0;
+    strokes_.clear();
+    result_.reset();
+    drawn_ = 0.0;
     pending_ = 0;
     beginning_ = true;
     context_.document.restore(stage_.begin->contents(), {});
@@ -102,7 +121,9 @@ void LessonGuide::enter(std::size_t step, LessonStage stage) {
 void LessonGuide::next() {
     if (!running() || !done_) return;
     if (isLast()) {
+        const bool again = practice_.has_value();
         stop();
+        if (again) emit anotherWanted();
         return;
     }
     begin(step_ + 1);
@@ -120,8 +141,10 @@ void LessonGuide::showStrokes() {
 
 void LessonGuide::showGhost(double drawn) {
     ghost_.drawn = drawn;
-    const bool any = !done_ && !ghost_.strokes.empty();
-    context_.viewport.setGhost(any ? std::optional(ghost_) : std::nullopt);
+    // An exercise shows its lines only to who asks for them.
+    const bool hidden = practice_ && !pen_.isActive() && drawn == 0.0;
+    showsGhost_ = !done_ && !hidden && !ghost_.strokes.empty();
+    context_.viewport.setGhost(showsGhost_ ? std::optional(ghost_) : std::nullopt);
 }
 
 void LessonGuide::documentChanged(DocumentChange what) {
@@ -130,6 +153,12 @@ void LessonGuide::documentChanged(DocumentChange what) {
         const std::size_t now = context_.document.pendingStrokes().size();
         if (now > pending_) drawnStrokes_ += static_cast<int>(now - pending_);
         pending_ = now;
+        if (practice_ && now > 0) {
+            strokes_.clear();
+            for (const PendingStroke& s : context_.document.pendingStrokes()) {
+                strokes_.push_back(s.stroke);
+            }
+        }
         return;
     }
     const bool matters = what == DocumentChange::Shape || what == DocumentChange::Thresholds ||
@@ -161,8 +190,24 @@ void LessonGuide::finish() {
     stars_[step_] = starsFor(drawnStrokes_, static_cast<int>(ghost_.strokes.size()));
     pen_.stop();
     showGhost(0.0);
+    if (practice_) {
+        measure();
+        emit practiceDone();
+        return;
+    }
     remember();
     emit stepFinished(stars_[step_], drawnStrokes_);
+}
+
+void LessonGuide::measure() {
+    const StrokeMeasure hand = measureStrokes(strokes_);
+    result_ = PracticeResult{QDateTime::currentSecsSinceEpoch(),
+                             practice_->level,
+                             practice_->seed,
+                             practiceAccuracy(*stage_.wanted, context_.document.state()),
+                             hand.seconds,
+                             hand.wobblePx,
+                             hand.strokes};
 }
 
 void LessonGuide::remember() const {

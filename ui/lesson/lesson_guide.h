@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/document/lesson/attempt.h"
+#include "core/document/practice/practice_log.h"
+#include "core/document/practice/practice_task.h"
 #include "ui/viewport/ghost_overlay.h"
 #include "ui/window_context.h"
 
@@ -28,6 +30,12 @@ class LessonGuide : public QObject {
     /// \param step  to begin at, by the lesson; empty: at the first.
     Result<void> start(const QString& path,
                        const std::function<std::size_t(const Lesson&)>& step = {});
+    /// Begins an exercise, as a lesson of one step without ghosts. Errors: those of stageOf().
+    Result<void> startPractice(PracticeTask task);
+    /// Null where what runs is a lesson.
+    const PracticeTask* practice() const { return practice_ ? &*practice_ : nullptr; }
+    /// Of the exercise, once it is done.
+    const std::optional<PracticeResult>& result() const { return result_; }
     /// Ends it; the document stays as it is.
     void stop();
     bool running() const { return lesson_.has_value(); }
@@ -47,6 +55,8 @@ class LessonGuide : public QObject {
     void again();
     /// A pen draws the strokes.
     void showStrokes();
+    /// Are the strokes to trace seen?
+    bool showsGhost() const { return showsGhost_; }
 
   signals:
     /// Everything that the functions above tell.
@@ -58,6 +68,10 @@ class LessonGuide : public QObject {
     void stepFinished(int stars, int strokes);
     /// The lesson ends; it is still running.
     void stopping();
+    /// The exercise is done: result() tells how.
+    void practiceDone();
+    /// The exercise was left as one that is done.
+    void anotherWanted();
 
   private:
     void begin(std::size_t step);
@@ -65,6 +79,7 @@ class LessonGuide : public QObject {
     void documentChanged(DocumentChange what);
     void judge();
     void finish();
+    void measure();
     void showGhost(double drawn);
     void remember() const;
 
@@ -80,10 +95,14 @@ class LessonGuide : public QObject {
     int drawnStrokes_ = 0;
     std::size_t pending_ = 0;
     int judgedIndex_ = 0;  ///< of the undo stack: each result is counted once
+    std::optional<PracticeTask> practice_;
+    std::vector<Stroke> strokes_;  ///< of the exercise, as they were when there were any last
+    std::optional<PracticeResult> result_;
     std::vector<int> stars_;
     std::string remark_;
     QTimer pen_;
     double drawn_ = 0.0;
+    bool showsGhost_ = false;
 };
 
 /// The best stars of a lesson's steps, as an earlier run left them; empty where there was none.

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -31,6 +32,9 @@ class LessonPanel : public QWidget {
   private:
     void claimHeight();
     void showPupil();
+    void showPicture();
+    void arrange(bool isPractice);
+    QString doneText() const;
     void refresh();
     void showHint();
 
@@ -42,11 +46,14 @@ class LessonPanel : public QWidget {
     QLabel* pupil_;
     QProgressBar* progress_;
     QLabel* task_;
+    QLabel* picture_;
     QLabel* said_;
+    QGridLayout* buttons_;
     QPushButton* hint_;
     QPushButton* show_;
     QPushButton* again_;
     QPushButton* next_;
+    QPushButton* end_;
     bool hintShown_ = false;
     std::size_t step_ = 0;
 };

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 #include "core/document/json_text.h"
 #include "core/document/lesson/lesson.h"
+#include "core/document/practice/practice_json.h"
 
 namespace ew {
 
@@ -187,6 +189,14 @@ std::optional<StuckPlace> stuckPlace(const PupilProgress& pupil) {
 }
 
 void mergeProgress(PupilProgress& into, const PupilProgress& other) {
+    std::vector<PracticeResult> practice = std::exchange(into.practice, {});
+    for (const PracticeResult& r : other.practice) {
+        if (std::find(practice.begin(), practice.end(), r) == practice.end()) practice.push_back(r);
+    }
+    std::stable_sort(
+        practice.begin(), practice.end(),
+        [](const PracticeResult& a, const PracticeResult& b) { return a.time < b.time; });
+    for (const PracticeResult& r : practice) addResult(into.practice, r);
     for (const auto& [id, theirs] : other.lessons) {
         const auto known = into.lessons.find(id);
         if (known == into.lessons.end()) {
@@ -220,7 +230,8 @@ std::string progressText(const PupilProgress& pupil) {
                    {"machine", pupil.machine},
                    {"session", pupil.session},
                    {"apart", pupil.apart},
-                   {"lessons", std::move(lessons)}};
+                   {"lessons", std::move(lessons)},
+                   {"practice", practiceJson(pupil.practice)}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -244,6 +255,9 @@ Result<PupilProgress> readProgress(const std::string& text) {
         if (!lessons.is_object()) throwRead(Errc::WrongType, "/lessons: lessons are an object");
         for (const auto& [id, lesson] : lessons.items()) {
             pupil.lessons[id] = readLessonProgress(lesson, "/lessons/" + id);
+        }
+        if (const json* practice = in.find("practice")) {
+            pupil.practice = practiceFromJson(*practice, "/practice");
         }
         return pupil;
     } catch (ReadError& e) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/document/practice/practice_log.h"
 
 namespace ew {
 
@@ -58,6 +59,7 @@ struct PupilProgress {
     std::string session;  ///< of the program on it, another one with each start
     std::string apart;    ///< folder of the same name that another machine writes to; or empty
     std::map<std::string, LessonProgress> lessons;  ///< by id
+    std::vector<PracticeResult> practice;           ///< the oldest first
     bool operator==(const PupilProgress&) const = default;
 };
 
@@ -97,7 +99,7 @@ struct StuckPlace {
 std::optional<StuckPlace> stuckPlace(const PupilProgress& pupil);
 
 /// What two machines know of one pupil: of each lesson what was written last, with the best stars
-/// of both.
+/// of both, and all exercises.
 void mergeProgress(PupilProgress& into, const PupilProgress& other);
 
 inline constexpr std::size_t kMaxProgressBytes = 8U << 20U;

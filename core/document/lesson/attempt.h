@@ -53,7 +53,9 @@ Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step, const Templa
 /// done, and strokes that are left are applied as the step's solution does it. Where the program
 /// asks which of several readings is meant, the wanted one is. Errors: those of stageOf(); BadValue
 /// for a script with steps that are not for lessons.
+/// \param made  what became of it; null where nobody asks.
 Result<Attempt> tryStep(const Lesson& lesson, std::size_t step, const SketchScript& script,
-                        const TemplateLibrary& shipped);
+                        const TemplateLibrary& shipped,
+                        std::shared_ptr<const DocumentState>* made = nullptr);
 
 }  // namespace ew
