@@ -3651,6 +3651,22 @@ seit %2</translation>
         <source>It stays for 30 days: File, Recover.</source>
         <translation>Es bleibt 30 Tage: Datei, Wiederherstellen.</translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Each leads through something that can be drawn, step by step, with strokes to trace and hints.</source>
+        <translation>Jede führt Schritt für Schritt durch etwas, das man zeichnen kann, mit Strichen zum Nachziehen und Hinweisen.</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>There are no lessons</source>
+        <translation>Es gibt keine Lektionen</translation>
+    </message>
 </context>
 <context>
     <name>ew::StepDialog</name>

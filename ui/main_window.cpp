@@ -219,12 +219,10 @@ void MainWindow::buildStart() {
     });
     connect(start_, &StartPage::openWanted, files_, &FileActions::open);
     connect(start_, &StartPage::fileWanted, this, [this](const QString& path, bool inNewWindow) {
-        if (inNewWindow)
-            emit windowsWanted({path});
-        else
-            files_->openAsked(path);
+        inNewWindow ? emit windowsWanted({path}) : files_->openAsked(path);
     });
     connect(start_, &StartPage::exampleWanted, files_, &FileActions::openExample);
+    connect(start_, &StartPage::lessonWanted, this, &MainWindow::beginLesson);
     connect(start_, &StartPage::left, this, &MainWindow::leaveStart);
     connect(start_, &StartPage::failed, messages_, &MessageBar::showError);
     if (work_ != nullptr) {

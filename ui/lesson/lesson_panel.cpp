@@ -210,7 +210,7 @@ void LessonPanel::showPupil() {
 /// Layouts do not pass on what height wrapped texts need, so the column would take it from them.
 void LessonPanel::claimHeight() {
     layout()->activate();
-    setMinimumHeight(layout()->totalHeightForWidth(width()));
+    setMinimumHeight(std::max(0, layout()->totalHeightForWidth(width())));
 }
 
 void LessonPanel::resizeEvent(QResizeEvent* event) {

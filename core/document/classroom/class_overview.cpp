@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "core/document/classroom/pupil_files.h"
 #include "core/document/file_bytes.h"
@@ -113,7 +114,7 @@ std::vector<ClassLesson> classLessons(const QString& classFolder, const QString&
         }
     }
     std::stable_sort(out.begin(), out.end(), [](const ClassLesson& a, const ClassLesson& b) {
-        return a.minutes < b.minutes;
+        return std::tie(a.minutes, a.steps) < std::tie(b.minutes, b.steps);
     });
     return out;
 }
