@@ -171,6 +171,20 @@ TEST_F(ClassFolder, ProgressThatIsCutIsLeftAndTold) {
     EXPECT_EQ(read(file), cut);
 }
 
+TEST_F(ClassFolder, AFolderThatAnotherProgramBeginsThisMomentIsTheSameOne) {
+    const QString place = folder() + "/work/" + pupilFolderName("Anna");
+    ASSERT_TRUE(QDir().mkpath(place));
+    ASSERT_TRUE(writeFileBytes(place + "/.ew1x2y3z", "{\"format\""));
+    PupilFiles anna = join("Anna");
+    EXPECT_EQ(anna.folder(), place);
+    EXPECT_FALSE(anna.takeNotice());
+    const QString other = folder() + "/work/" + pupilFolderName("Berta");
+    ASSERT_TRUE(QDir().mkpath(other));
+    ASSERT_TRUE(writeFileBytes(other + "/essay.odt", "x"));
+    PupilFiles berta = join("Berta");
+    EXPECT_EQ(berta.folder(), other + "-2") << "what is somebody's is left alone";
+}
+
 TEST_F(ClassFolder, AFolderThatIsGoneIsToldAndNothingIsMadeInItsPlace) {
     PupilFiles anna = join("Anna");
     ASSERT_TRUE(QDir().rename(folder(), folder_.filePath("pulled")));

@@ -71,10 +71,9 @@ std::optional<Error> PupilFiles::takeNotice() { return std::exchange(notice_, st
 PupilFiles::Found PupilFiles::look(const QString& folder, const QString& name) {
     const QString file = folder + '/' + kProgressFile;
     if (!QFileInfo::exists(file)) {
-        const auto all = QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot;
-        QStringList there = QDir(folder).entryList(all);
-        there.removeAll(kLock);
-        return {there.isEmpty() ? Holds::Nothing : Holds::Unreadable, {}, {}};
+        // The lock, and a file that another program is writing this moment, are hidden.
+        const auto seen = QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot;
+        return {QDir(folder).isEmpty(seen) ? Holds::Nothing : Holds::Unreadable, {}, {}};
     }
     auto text = readFileBytes(file, kMaxProgressBytes);
     if (!text) return {Holds::Unreadable, {}, {}};
