@@ -2,41 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
-    <name>ew::MirrorActions</name>
-    <message>
-        <source>&amp;No mirror plane</source>
-        <translation>&amp;Keine Spiegelebene</translation>
-    </message>
-    <message>
-        <source>Left and right, across &amp;X</source>
-        <translation>Links und rechts, quer zu &amp;X</translation>
-    </message>
-    <message>
-        <source>Front and back, across &amp;Y</source>
-        <translation>Vorn und hinten, quer zu &amp;Y</translation>
-    </message>
-    <message>
-        <source>Above and below, across &amp;Z</source>
-        <translation>Oben und unten, quer zu &amp;Z</translation>
-    </message>
-    <message>
-        <source>What you draw, pull and round from now on is done on both sides of the plane through the middle of the chosen solids</source>
-        <translation>Was ab jetzt gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten der Ebene durch die Mitte der gewählten Körper</translation>
-    </message>
-    <message>
-        <source>No mirror plane: what you draw is done once.</source>
-        <translation>Keine Spiegelebene: Was gezeichnet wird, geschieht einmal.</translation>
-    </message>
-    <message>
-        <source>Mirror plane set: what you draw, pull and round is done on both sides.</source>
-        <translation>Spiegelebene gesetzt: Was gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten.</translation>
-    </message>
-    <message>
-        <source>Mirror &amp;plane</source>
-        <translation>Spiegel&amp;ebene</translation>
-    </message>
-</context>
-<context>
     <name>Core</name>
     <message>
         <source>This could be %1; choose it, or draw on.</source>
@@ -1302,6 +1267,262 @@
         <source>There is no such step in the history.</source>
         <translation>Im Verlauf gibt es keinen solchen Schritt.</translation>
     </message>
+    <message>
+        <source>A pupil has a name.</source>
+        <translation>Zu einem Schüler gehört ein Name.</translation>
+    </message>
+    <message>
+        <source>A pupil&apos;s name has at most %1 letters.</source>
+        <translation>Der Name eines Schülers hat höchstens %1 Buchstaben.</translation>
+    </message>
+    <message>
+        <source>A pupil&apos;s name has letters only that can be seen.</source>
+        <translation>Der Name eines Schülers hat nur Buchstaben, die man sieht.</translation>
+    </message>
+    <message>
+        <source>There is no class folder at %1.</source>
+        <translation>Unter %1 gibt es keinen Klassenordner.</translation>
+    </message>
+    <message>
+        <source>The class folder %1 may not be read.</source>
+        <translation>Der Klassenordner %1 darf nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There are too many folders for one name in %1.</source>
+        <translation>In %1 gibt es zu viele Ordner für einen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; it was left as it is, and the work goes on in %2.</source>
+        <translation>%1 ist nicht lesbar und blieb, wie es ist; die Arbeit geht in %2 weiter.</translation>
+    </message>
+    <message>
+        <source>The class folder %1 is gone. Put the stick back in, or connect the share again.</source>
+        <translation>Der Klassenordner %1 ist weg. Steck den Stick wieder ein, oder verbinde die Freigabe neu.</translation>
+    </message>
+    <message>
+        <source>Another machine (%1) writes to %2, too. That was left as it is, and the work goes on in %3.</source>
+        <translation>Ein anderer Rechner (%1) schreibt auch in %2. Was dort liegt, blieb, wie es ist; die Arbeit geht in %3 weiter.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a later version of the program and is left as it is.</source>
+        <translation>%1 wurde von einer neueren Version des Programms geschrieben und bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>What could not be written to the class folder last time was brought there now.</source>
+        <translation>Was letztes Mal nicht in den Klassenordner geschrieben werden konnte, wurde jetzt dorthin gebracht.</translation>
+    </message>
+    <message>
+        <source>%1: This is no pupil&apos;s folder; it was left as it is.</source>
+        <translation>%1: Das ist kein Ordner eines Schülers; er blieb, wie er ist.</translation>
+    </message>
+    <message>
+        <source>%1: this is no pupil&apos;s progress</source>
+        <translation>%1: das ist nicht der Fortschritt eines Schülers</translation>
+    </message>
+    <message>
+        <source>%1: this program reads version 1</source>
+        <translation>%1: dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>%1: another lesson has this id, too</source>
+        <translation>%1: eine andere Lektion hat auch diese Kennung</translation>
+    </message>
+    <message>
+        <source>Class overview: %1</source>
+        <translation>Klassenübersicht: %1</translation>
+    </message>
+    <message>
+        <source>Pupils: %1; stuck: %2; lessons: %3.</source>
+        <translation>Schüler: %1; hängen fest: %2; Lektionen: %3.</translation>
+    </message>
+    <message>
+        <source>Files that could not be read</source>
+        <translation>Dateien, die nicht gelesen werden konnten</translation>
+    </message>
+    <message>
+        <source>%1, step %2</source>
+        <translation>%1, Schritt %2</translation>
+    </message>
+    <message>
+        <source>%1 attempts, the last one: %2</source>
+        <translation>%1 Versuche, der letzte: %2</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>from another machine</source>
+        <translation>von einem anderen Rechner</translation>
+    </message>
+    <message>
+        <source>Pupil</source>
+        <translation>Schüler</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Hängt fest</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Stars</source>
+        <translation>Sterne</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Last worked</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Steps done</source>
+        <translation>Fertige Schritte</translation>
+    </message>
+    <message>
+        <source>Most stars</source>
+        <translation>Mögliche Sterne</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Failed attempts</source>
+        <translation>Fehlversuche</translation>
+    </message>
+    <message>
+        <source>Stuck at step</source>
+        <translation>Hängt fest bei Schritt</translation>
+    </message>
+    <message>
+        <source>Stuck since</source>
+        <translation>Hängt fest seit</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>nothing was made</source>
+        <translation>es wurde nichts gemacht</translation>
+    </message>
+    <message>
+        <source>it was done to the wrong side</source>
+        <translation>auf der falschen Seite</translation>
+    </message>
+    <message>
+        <source>another kind of shape</source>
+        <translation>eine andere Form</translation>
+    </message>
+    <message>
+        <source>the wrong place</source>
+        <translation>an der falschen Stelle</translation>
+    </message>
+    <message>
+        <source>other proportions</source>
+        <translation>andere Proportionen</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>andere Einstellungen</translation>
+    </message>
+    <message>
+        <source>several drawings at once</source>
+        <translation>mehrere Zeichnungen auf einmal</translation>
+    </message>
+    <message>
+        <source>a corner is open</source>
+        <translation>eine Ecke ist offen</translation>
+    </message>
+    <message>
+        <source>a line is missing</source>
+        <translation>eine Linie fehlt</translation>
+    </message>
+    <message>
+        <source>a line is too many</source>
+        <translation>eine Linie ist zu viel</translation>
+    </message>
+    <message>
+        <source>an edge at the back was drawn</source>
+        <translation>eine hintere Kante wurde gezeichnet</translation>
+    </message>
+    <message>
+        <source>a line is curved</source>
+        <translation>eine Linie ist krumm</translation>
+    </message>
+    <message>
+        <source>the drawing is too small</source>
+        <translation>die Zeichnung ist zu klein</translation>
+    </message>
+    <message>
+        <source>an outline with no lines in it</source>
+        <translation>ein Umriss ohne Linien darin</translation>
+    </message>
+    <message>
+        <source>a shape that is not known</source>
+        <translation>eine unbekannte Form</translation>
+    </message>
+    <message>
+        <source>an impossible corner</source>
+        <translation>eine unmögliche Ecke</translation>
+    </message>
+    <message>
+        <source>lines are not parallel</source>
+        <translation>Linien sind nicht parallel</translation>
+    </message>
+    <message>
+        <source>it can be read in several ways</source>
+        <translation>es lässt sich auf mehrere Arten lesen</translation>
+    </message>
+    <message>
+        <source>the lines enclose nothing</source>
+        <translation>die Linien umschließen nichts</translation>
+    </message>
+    <message>
+        <source>no line could be read</source>
+        <translation>keine Linie war lesbar</translation>
+    </message>
+    <message>
+        <source>nothing was drawn</source>
+        <translation>es wurde nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>a drawing in perspective</source>
+        <translation>eine Zeichnung in Perspektive</translation>
+    </message>
+    <message>
+        <source>A level is from 1 to %1.</source>
+        <translation>Eine Stufe ist von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>No exercise was found for this number; try another one.</source>
+        <translation>Für diese Nummer wurde keine Übung gefunden; nimm eine andere.</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1487,6 +1708,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>PracticeCurve</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
     <name>Step</name>
     <message>
         <source>mirror_plane</source>
@@ -1606,76 +1834,70 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
-    <name>ew::LessonPanel</name>
+    <name>ew::BodyPanel</name>
     <message>
-        <source>Hint</source>
-        <translation>Tipp</translation>
+        <source>%1 × %2 × %3 mm, volume %4 cm³</source>
+        <translation>%1 × %2 × %3 mm, Volumen %4 cm³</translation>
     </message>
     <message>
-        <source>Show me</source>
-        <translation>Zeig es mir</translation>
+        <source>Solid %1</source>
+        <translation>Körper %1</translation>
     </message>
     <message>
-        <source>A pen draws the lines for you to follow.</source>
-        <translation>Ein Stift zeichnet die Linien vor.</translation>
+        <source>Solids</source>
+        <translation>Körper</translation>
     </message>
     <message>
-        <source>Start over</source>
-        <translation>Von vorn</translation>
+        <source>Move…</source>
+        <translation>Bewegen …</translation>
     </message>
     <message>
-        <source>Begins this step again.</source>
-        <translation>Beginnt diesen Schritt noch einmal.</translation>
+        <source>Move, turn, scale or mirror the chosen solid by numbers</source>
+        <translation>Den gewählten Körper mit Zahlen bewegen, drehen, skalieren oder spiegeln</translation>
     </message>
     <message>
-        <source>End the lesson</source>
-        <translation>Lektion beenden</translation>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
     </message>
     <message>
-        <source>Step %1 of %2</source>
-        <translation>Schritt %1 von %2</translation>
+        <source>Put a copy of the chosen solid beside it</source>
+        <translation>Eine Kopie neben den gewählten Körper stellen</translation>
     </message>
     <message>
-        <source>Done. %1</source>
-        <translation>Geschafft. %1</translation>
+        <source>Join</source>
+        <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Finish</source>
-        <translation>Fertig</translation>
+        <source>Make one solid of two chosen ones that touch</source>
+        <translation>Aus zwei gewählten Körpern, die sich berühren, einen machen</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-</context>
-<context>
-    <name>ew::LessonActions</name>
-    <message>
-        <source>&amp;Lessons</source>
-        <translation>&amp;Lektionen</translation>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
     <message>
-        <source>%1 (%2 min)</source>
-        <translation>%1 (%2 min)</translation>
+        <source>Delete the chosen solids</source>
+        <translation>Die gewählten Körper löschen</translation>
     </message>
     <message>
-        <source>&amp;Open a lesson…</source>
-        <translation>Lektion ö&amp;ffnen …</translation>
+        <source>The check mark shows or hides it; double click to name it.</source>
+        <translation>Das Häkchen blendet ihn ein oder aus; ein Doppelklick benennt ihn.</translation>
     </message>
     <message>
-        <source>Open a lesson</source>
-        <translation>Lektion öffnen</translation>
+        <source>Name…</source>
+        <translation>Benennen …</translation>
     </message>
     <message>
-        <source>Lessons (%1)</source>
-        <translation>Lektionen (%1)</translation>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
     </message>
-</context>
-<context>
-    <name>ew::LessonDock</name>
     <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Subtract the second from the first</source>
+        <translation>Den zweiten vom ersten abziehen</translation>
     </message>
 </context>
 <context>
@@ -1793,6 +2015,36 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>No picture</source>
         <translation>Kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ClassActions</name>
+    <message>
+        <source>&amp;Work in a class…</source>
+        <translation>In einer Klasse &amp;arbeiten …</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the class (%1)</source>
+        <translation>Klasse &amp;verlassen (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Class overview…</source>
+        <translation>&amp;Klassenübersicht …</translation>
+    </message>
+    <message>
+        <source>Class folder</source>
+        <translation>Klassenordner</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ClassSession</name>
+    <message>
+        <source>Not kept in the class folder: %1 It is kept on this computer, and tried again.</source>
+        <translation>Nicht im Klassenordner gesichert: %1 Es bleibt auf diesem Rechner und wird wieder versucht.</translation>
+    </message>
+    <message>
+        <source>Everything is kept in the class folder again.</source>
+        <translation>Im Klassenordner ist wieder alles gesichert.</translation>
     </message>
 </context>
 <context>
@@ -2053,21 +2305,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
-    <name>ew::LongJob</name>
-    <message>
-        <source>Exporting %1…</source>
-        <translation>%1 wird exportiert …</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>%1 wird geöffnet …</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>ew::FileActions</name>
     <message>
         <source>&amp;New</source>
@@ -2305,6 +2542,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <source>Exported to %1, lengths in %2.</source>
         <translation>Nach %1 exportiert, Längen in %2.</translation>
     </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (schreibgeschützt)</translation>
+    </message>
+    <message>
+        <source>This is a pupil’s work to look at. What is changed here can be saved under another name; the pupil’s file stays as it is.</source>
+        <translation>Das ist die Arbeit eines Schülers zum Ansehen. Was hier geändert wird, lässt sich unter anderem Namen speichern; die Datei des Schülers bleibt, wie sie ist.</translation>
+    </message>
 </context>
 <context>
     <name>ew::GraphPanel</name>
@@ -2511,6 +2756,157 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::JoinDialog</name>
+    <message>
+        <source>Work in a class</source>
+        <translation>In einer Klasse arbeiten</translation>
+    </message>
+    <message>
+        <source>What you do in lessons is kept in the class folder under your name, for your teacher to see. There is no account and no password.</source>
+        <translation>Was du in Lektionen machst, wird unter deinem Namen im Klassenordner gesichert, sodass deine Lehrkraft es sieht. Ein Konto oder Passwort gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A share, or a folder on a stick</source>
+        <translation>Eine Freigabe oder ein Ordner auf einem Stick</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Class &amp;folder:</source>
+        <translation>Klassen&amp;ordner:</translation>
+    </message>
+    <message>
+        <source>First name, or as your teacher says</source>
+        <translation>Vorname, oder wie ihr es vereinbart habt</translation>
+    </message>
+    <message>
+        <source>Your &amp;name:</source>
+        <translation>Dein &amp;Name:</translation>
+    </message>
+    <message>
+        <source>&amp;Work here</source>
+        <translation>Hier &amp;arbeiten</translation>
+    </message>
+    <message>
+        <source>Class folder</source>
+        <translation>Klassenordner</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonActions</name>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 min)</source>
+        <translation>%1 (%2 min)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>Lektion ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>Lektionen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonDock</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LessonPanel</name>
+    <message>
+        <source>Hint</source>
+        <translation>Tipp</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Zeig es mir</translation>
+    </message>
+    <message>
+        <source>A pen draws the lines for you to follow.</source>
+        <translation>Ein Stift zeichnet die Linien vor.</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Begins this step again.</source>
+        <translation>Beginnt diesen Schritt noch einmal.</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Done. %1</source>
+        <translation>Geschafft. %1</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1: not kept in the class folder yet</source>
+        <translation>%1: noch nicht im Klassenordner gesichert</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>End the exercise</source>
+        <translation>Übung beenden</translation>
+    </message>
+</context>
+<context>
+    <name>ew::LongJob</name>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>ew::MainWindow</name>
     <message>
         <source>Solids</source>
@@ -2575,10 +2971,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Untitled</source>
-        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>%1 (read-only)</source>
@@ -2683,6 +3075,112 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     </message>
 </context>
 <context>
+    <name>ew::MirrorActions</name>
+    <message>
+        <source>&amp;No mirror plane</source>
+        <translation>&amp;Keine Spiegelebene</translation>
+    </message>
+    <message>
+        <source>Left and right, across &amp;X</source>
+        <translation>Links und rechts, quer zu &amp;X</translation>
+    </message>
+    <message>
+        <source>Front and back, across &amp;Y</source>
+        <translation>Vorn und hinten, quer zu &amp;Y</translation>
+    </message>
+    <message>
+        <source>Above and below, across &amp;Z</source>
+        <translation>Oben und unten, quer zu &amp;Z</translation>
+    </message>
+    <message>
+        <source>What you draw, pull and round from now on is done on both sides of the plane through the middle of the chosen solids</source>
+        <translation>Was ab jetzt gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten der Ebene durch die Mitte der gewählten Körper</translation>
+    </message>
+    <message>
+        <source>No mirror plane: what you draw is done once.</source>
+        <translation>Keine Spiegelebene: Was gezeichnet wird, geschieht einmal.</translation>
+    </message>
+    <message>
+        <source>Mirror plane set: what you draw, pull and round is done on both sides.</source>
+        <translation>Spiegelebene gesetzt: Was gezeichnet, gezogen und gerundet wird, geschieht auf beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;plane</source>
+        <translation>Spiegel&amp;ebene</translation>
+    </message>
+</context>
+<context>
+    <name>ew::MoveDialog</name>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Keep the solid and move a &amp;copy</source>
+        <translation>Den Körper behalten und eine &amp;Kopie bewegen</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>„%1“ bewegen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Entlang %1</translation>
+    </message>
+    <message>
+        <source>Along &amp;%1</source>
+        <translation>Entlang &amp;%1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>across %1</source>
+        <translation>quer zu %1</translation>
+    </message>
+    <message>
+        <source>not</source>
+        <translation>nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale to</source>
+        <translation>&amp;Skalieren auf</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>It is scaled, turned and mirrored about its middle, then moved.</source>
+        <translation>Er wird um seine Mitte skaliert, gedreht und gespiegelt, dann bewegt.</translation>
+    </message>
+    <message>
+        <source>M&amp;ove</source>
+        <translation>&amp;Bewegen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
     <name>ew::NumberBox</name>
     <message>
         <source>“%1” is not between %2 and %3; the old number stays.</source>
@@ -2691,6 +3189,247 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>“%1” is not a number; the old one stays.</source>
         <translation>„%1“ ist keine Zahl; die alte bleibt.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::OverviewDialog</name>
+    <message>
+        <source>Class overview</source>
+        <translation>Klassenübersicht</translation>
+    </message>
+    <message>
+        <source>Pupils and lessons</source>
+        <translation>Schüler und Lektionen</translation>
+    </message>
+    <message>
+        <source>Find a pupil</source>
+        <translation>Schüler suchen</translation>
+    </message>
+    <message>
+        <source>Only who is &amp;stuck</source>
+        <translation>Nur wer fest&amp;hängt</translation>
+    </message>
+    <message>
+        <source>&amp;Open the work</source>
+        <translation>Arbeit ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>A&amp;ktualisieren</translation>
+    </message>
+    <message>
+        <source>Another &amp;class…</source>
+        <translation>Andere K&amp;lasse …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Shows the chosen work in the window. The pupil&apos;s file stays as it is.</source>
+        <translation>Zeigt die gewählte Arbeit im Fenster. Die Datei des Schülers bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Writes the page as CSV or HTML.</source>
+        <translation>Schreibt die Seite als CSV oder HTML.</translation>
+    </message>
+    <message>
+        <source>Nobody has worked here yet.</source>
+        <translation>Hier hat noch niemand gearbeitet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pupil(s)</source>
+        <translation>
+            <numerusform>%n Schüler</numerusform>
+            <numerusform>%n Schüler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck</source>
+        <translation>
+            <numerusform>%n hängt fest</numerusform>
+            <numerusform>%n hängen fest</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, as of %2</source>
+        <translation>%1, Stand %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more file(s) cannot be read.</source>
+        <translation>
+            <numerusform>%n weitere Datei ist nicht lesbar.</numerusform>
+            <numerusform>%n weitere Dateien sind nicht lesbar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has begun no lesson yet.</source>
+        <translation>%1 hat noch keine Lektion begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 has no work in “%2” yet.</source>
+        <translation>%1 hat in „%2“ noch keine Arbeit.</translation>
+    </message>
+    <message>
+        <source>%1, “%2”</source>
+        <translation>%1, „%2“</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Class folder</source>
+        <translation>Klassenordner</translation>
+    </message>
+    <message>
+        <source>Export the overview</source>
+        <translation>Übersicht exportieren</translation>
+    </message>
+    <message>
+        <source>Page for any browser (*.html);;Table for spreadsheets (*.csv)</source>
+        <translation>Seite für jeden Browser (*.html);;Tabelle für Tabellenkalkulationen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::OverviewModel</name>
+    <message>
+        <source>%1 (from another machine)</source>
+        <translation>%1 (von einem anderen Rechner)</translation>
+    </message>
+    <message>
+        <source>%1
+since %2</source>
+        <translation>%1
+seit %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeActions</name>
+    <message>
+        <source>&amp;Practice…</source>
+        <translation>Ü&amp;ben …</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeCurve</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Accuracy %1, pen down for %2, lines off straight by %3.</source>
+        <translation>Genauigkeit %1, Stift unten %2, Linien um %3 krumm.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Wobble</source>
+        <translation>Zittern</translation>
+    </message>
+    <message>
+        <source>After the first exercise your accuracy, time and steadiness are shown here.</source>
+        <translation>Nach der ersten Übung stehen hier deine Genauigkeit, deine Zeit und deine ruhige Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PracticeDialog</name>
+    <message>
+        <source>Boxes</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Prisms, pyramids, frusta</source>
+        <translation>Prismen, Pyramiden, Stümpfe</translation>
+    </message>
+    <message>
+        <source>Houses, angles, columns</source>
+        <translation>Häuser, Winkel, Säulen</translation>
+    </message>
+    <message>
+        <source>Stairs, channels, T-beams</source>
+        <translation>Treppen, Rinnen, T-Träger</translation>
+    </message>
+    <message>
+        <source>Boxes on boxes</source>
+        <translation>Quader auf Quadern</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Draw a solid that is shown as it is to be drawn, or from three sides. A number is the same solid for everybody in a class.</source>
+        <translation>Zeichne einen Körper, der so gezeigt wird, wie er zu zeichnen ist, oder von drei Seiten. Eine Nummer ist für alle in einer Klasse derselbe Körper.</translation>
+    </message>
+    <message>
+        <source>&amp;Any number</source>
+        <translation>&amp;Irgendeine</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Stufe:</translation>
+    </message>
+    <message>
+        <source>&amp;Number:</source>
+        <translation>&amp;Nummer:</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::PullBar</name>
+    <message>
+        <source>Straight walls</source>
+        <translation>Gerade Wände</translation>
+    </message>
+    <message>
+        <source>Pull by</source>
+        <translation>Ziehen um</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance to pull the face by</source>
+        <translation>Strecke, um die die Fläche gezogen wird</translation>
+    </message>
+    <message>
+        <source>The face keeps its outline, and new walls join it to the solid. Without it, the faces beside it go on as they slant.</source>
+        <translation>Die Fläche behält ihren Umriss, und neue Wände verbinden sie mit dem Körper. Sonst laufen die Nachbarflächen so weiter, wie sie geneigt sind.</translation>
+    </message>
+    <message>
+        <source>Type another distance and press Enter; negative goes inwards.</source>
+        <translation>Eine andere Strecke eintippen und Enter drücken; negativ geht nach innen.</translation>
+    </message>
+    <message>
+        <source>Drag a face, or click one and type a distance.</source>
+        <translation>Eine Fläche ziehen, oder eine anklicken und eine Strecke eintippen.</translation>
     </message>
 </context>
 <context>
@@ -2923,6 +3662,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>It stays for 30 days: File, Recover.</source>
         <translation>Es bleibt 30 Tage: Datei, Wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Each leads through something that can be drawn, step by step, with strokes to trace and hints.</source>
+        <translation>Jede führt Schritt für Schritt durch etwas, das man zeichnen kann, mit Strichen zum Nachziehen und Hinweisen.</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>There are no lessons</source>
+        <translation>Es gibt keine Lektionen</translation>
     </message>
 </context>
 <context>
@@ -3547,175 +4302,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
             <numerusform>Wiederhergestellt: %n Schritt, Stand %1.</numerusform>
             <numerusform>Wiederhergestellt: %n Schritte, Stand %1.</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>ew::PullBar</name>
-    <message>
-        <source>Straight walls</source>
-        <translation>Gerade Wände</translation>
-    </message>
-    <message>
-        <source>Pull by</source>
-        <translation>Ziehen um</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Distance to pull the face by</source>
-        <translation>Strecke, um die die Fläche gezogen wird</translation>
-    </message>
-    <message>
-        <source>The face keeps its outline, and new walls join it to the solid. Without it, the faces beside it go on as they slant.</source>
-        <translation>Die Fläche behält ihren Umriss, und neue Wände verbinden sie mit dem Körper. Sonst laufen die Nachbarflächen so weiter, wie sie geneigt sind.</translation>
-    </message>
-    <message>
-        <source>Type another distance and press Enter; negative goes inwards.</source>
-        <translation>Eine andere Strecke eintippen und Enter drücken; negativ geht nach innen.</translation>
-    </message>
-    <message>
-        <source>Drag a face, or click one and type a distance.</source>
-        <translation>Eine Fläche ziehen, oder eine anklicken und eine Strecke eintippen.</translation>
-    </message>
-</context>
-<context>
-    <name>ew::BodyPanel</name>
-    <message>
-        <source>%1 × %2 × %3 mm, volume %4 cm³</source>
-        <translation>%1 × %2 × %3 mm, Volumen %4 cm³</translation>
-    </message>
-    <message>
-        <source>Solid %1</source>
-        <translation>Körper %1</translation>
-    </message>
-    <message>
-        <source>Solids</source>
-        <translation>Körper</translation>
-    </message>
-    <message>
-        <source>Move…</source>
-        <translation>Bewegen …</translation>
-    </message>
-    <message>
-        <source>Move, turn, scale or mirror the chosen solid by numbers</source>
-        <translation>Den gewählten Körper mit Zahlen bewegen, drehen, skalieren oder spiegeln</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Duplizieren</translation>
-    </message>
-    <message>
-        <source>Put a copy of the chosen solid beside it</source>
-        <translation>Eine Kopie neben den gewählten Körper stellen</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Make one solid of two chosen ones that touch</source>
-        <translation>Aus zwei gewählten Körpern, die sich berühren, einen machen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete the chosen solids</source>
-        <translation>Die gewählten Körper löschen</translation>
-    </message>
-    <message>
-        <source>The check mark shows or hides it; double click to name it.</source>
-        <translation>Das Häkchen blendet ihn ein oder aus; ein Doppelklick benennt ihn.</translation>
-    </message>
-    <message>
-        <source>Name…</source>
-        <translation>Benennen …</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Ausblenden</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Einblenden</translation>
-    </message>
-    <message>
-        <source>Subtract the second from the first</source>
-        <translation>Den zweiten vom ersten abziehen</translation>
-    </message>
-</context>
-<context>
-    <name>ew::MoveDialog</name>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Keep the solid and move a &amp;copy</source>
-        <translation>Den Körper behalten und eine &amp;Kopie bewegen</translation>
-    </message>
-    <message>
-        <source>Move “%1”</source>
-        <translation>„%1“ bewegen</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Along %1</source>
-        <translation>Entlang %1</translation>
-    </message>
-    <message>
-        <source>Along &amp;%1</source>
-        <translation>Entlang &amp;%1</translation>
-    </message>
-    <message>
-        <source>about %1</source>
-        <translation>um %1</translation>
-    </message>
-    <message>
-        <source>across %1</source>
-        <translation>quer zu %1</translation>
-    </message>
-    <message>
-        <source>not</source>
-        <translation>nicht</translation>
-    </message>
-    <message>
-        <source>&amp;Turn</source>
-        <translation>&amp;Drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Scale to</source>
-        <translation>&amp;Skalieren auf</translation>
-    </message>
-    <message>
-        <source>&amp;Mirror</source>
-        <translation>S&amp;piegeln</translation>
-    </message>
-    <message>
-        <source>It is scaled, turned and mirrored about its middle, then moved.</source>
-        <translation>Er wird um seine Mitte skaliert, gedreht und gespiegelt, dann bewegt.</translation>
-    </message>
-    <message>
-        <source>M&amp;ove</source>
-        <translation>&amp;Bewegen</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
     </message>
 </context>
 </TS>

@@ -6,11 +6,13 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "core/base/words.h"
 #include "ui/file_sentences.h"
+#include "ui/lesson/class_sentences.h"
 
 namespace ew {
 
@@ -390,12 +392,11 @@ struct Wording {
     QRegularExpression pattern;
 };
 
-/// Those of two lists. A phrase without a place is one that was meant word for word: "an STL mesh"
-/// is not "an %1". So these come first.
-std::vector<Wording> wordings(std::span<const char* const> some,
-                              std::span<const char* const> more) {
-    std::vector<const char*> sources(some.begin(), some.end());
-    sources.insert(sources.end(), more.begin(), more.end());
+/// Those of several lists. A phrase without a place is one that was meant word for word: "an STL
+/// mesh" is not "an %1". So these come first.
+std::vector<Wording> wordings(std::initializer_list<std::span<const char* const>> lists) {
+    std::vector<const char*> sources;
+    for (const auto& list : lists) sources.insert(sources.end(), list.begin(), list.end());
     std::stable_partition(sources.begin(), sources.end(), [](const char* source) {
         return !place().match(QString::fromUtf8(source)).hasMatch();
     });
@@ -441,8 +442,9 @@ QString translatedBy(const std::vector<Wording>& wordings, const QString& englis
 }
 
 QString translated(const QString& english, bool isPart) {
-    static const std::vector<Wording> kWholes = wordings(kSentences, kFileSentences);
-    static const std::vector<Wording> kPieces = wordings(kParts, kFileParts);
+    static const std::vector<Wording> kWholes =
+        wordings({kSentences, kClassSentences, kFileSentences});
+    static const std::vector<Wording> kPieces = wordings({kParts, kFileParts});
     QString text = translatedBy(kWholes, english);
     if (text.isEmpty() && isPart) text = translatedBy(kPieces, english);
     if (!text.isEmpty()) return text;

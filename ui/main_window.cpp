@@ -104,6 +104,7 @@ MainWindow::~MainWindow() {
     // A shape that is being made may still become a step, which the tools and their actions hear
     // of.
     surface_->settle();
+    lesson_->leaveClass();
     delete tools_;
     delete work_;
     delete takeCentralWidget();
@@ -194,8 +195,7 @@ void MainWindow::buildActions() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     QAction* quick = help->addAction(tr("&Quick help"), this, [this] { showQuickHelp(this); });
     quick->setShortcut(QKeySequence::HelpContents);
-    lesson_ = new LessonDock(
-        context, [this] { return files_->mayDiscard(); }, this);
+    lesson_ = new LessonDock(context, *files_, this);
     lesson_->fill(help);
     help->addAction(tr("&Keyboard shortcuts"), this,
                     [this] { showShortcuts(this, menuBar()->actions()); });
@@ -219,12 +219,10 @@ void MainWindow::buildStart() {
     });
     connect(start_, &StartPage::openWanted, files_, &FileActions::open);
     connect(start_, &StartPage::fileWanted, this, [this](const QString& path, bool inNewWindow) {
-        if (inNewWindow)
-            emit windowsWanted({path});
-        else
-            files_->openAsked(path);
+        inNewWindow ? emit windowsWanted({path}) : files_->openAsked(path);
     });
     connect(start_, &StartPage::exampleWanted, files_, &FileActions::openExample);
+    connect(start_, &StartPage::lessonWanted, this, &MainWindow::beginLesson);
     connect(start_, &StartPage::left, this, &MainWindow::leaveStart);
     connect(start_, &StartPage::failed, messages_, &MessageBar::showError);
     if (work_ != nullptr) {
@@ -391,7 +389,8 @@ bool MainWindow::panelInUse() const {
 
 void MainWindow::refreshTitle() {
     const QString path = document_->filePath();
-    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).completeBaseName();
+    const QString name =
+        path.isEmpty() ? files_->untitledName() : QFileInfo(path).completeBaseName();
     if (startShown() && path.isEmpty() && !document_->isModified()) {
         setWindowTitle(QStringLiteral("Edgewright"));
         return;

@@ -4,7 +4,8 @@
 namespace ew {
 
 Result<ToolWords> readToolWords(const QStringList& words, const QStringList& commands,
-                                const std::vector<std::pair<const char*, QString*>>& options) {
+                                const std::vector<std::pair<const char*, QString*>>& options,
+                                const QStringList& alone) {
     ToolWords out;
     for (qsizetype i = 0; i < words.size(); ++i) {
         const QString& word = words[i];
@@ -33,7 +34,9 @@ Result<ToolWords> readToolWords(const QStringList& words, const QStringList& com
         return fail(Errc::BadValue,
                     "say one of: " + commands.join(QStringLiteral(", ")).toStdString());
     }
-    if (out.files.isEmpty()) return fail(Errc::BadValue, "no file is named");
+    if (out.files.isEmpty() && !alone.contains(out.command)) {
+        return fail(Errc::BadValue, "no file is named");
+    }
     return out;
 }
 

@@ -20,8 +20,10 @@ struct ToolWords {
 /// Reads `COMMAND FILE... [--json] [--OPTION VALUE...]`, in any order.
 /// \param commands  the commands there are.
 /// \param options   the names of options with a value, and where it goes.
+/// \param alone     those of the commands that need no file.
 /// Errors: BadValue, with a sentence to say.
 Result<ToolWords> readToolWords(const QStringList& words, const QStringList& commands,
-                                const std::vector<std::pair<const char*, QString*>>& options);
+                                const std::vector<std::pair<const char*, QString*>>& options,
+                                const QStringList& alone = {});
 
 }  // namespace ew

@@ -13,6 +13,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QTest>
 #include <QToolBar>
 #include <QUrl>
@@ -20,6 +21,8 @@
 #include "core/document/recent_files.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/file_actions.h"
+#include "ui/lesson/lesson_dock.h"
+#include "ui/lesson/lesson_guide.h"
 #include "ui/panels/message_bar.h"
 #include "ui/start/card_delegate.h"
 #include "ui/viewport/viewport_widget.h"
@@ -81,6 +84,24 @@ TEST_F(Start, AtFirstItShowsTheExamplesAndNoPanels) {
     EXPECT_FALSE(window_->startShown());
     EXPECT_EQ(document().state().bodies.size(), 1U);
     EXPECT_TRUE(RecentFiles(recentList_).list().empty()) << "examples are nobody's documents";
+}
+
+TEST_F(Start, ALessonIsBegunFromItsCard) {
+    QSettings().setValue("lessons/first-box", "3 2");
+    showStart();
+    window_->startPage()->show(StartPage::Section::Lessons);
+    QApplication::processEvents();
+    EXPECT_EQ(names().size(), 9);
+    const auto box = names().indexOf("Your first box");
+    ASSERT_EQ(box, 0) << "the shortest and easiest first: " << names().join(", ").toStdString();
+    const QModelIndex card = cards().model()->index(static_cast<int>(box), 0);
+    EXPECT_FALSE(card.data(Qt::DecorationRole).value<QPixmap>().isNull());
+    EXPECT_EQ(card.data(kDetailRole).toString(), "5 min \u00b7 \u2605 5 / 6");
+    click(static_cast<int>(box));
+    EXPECT_FALSE(window_->startShown());
+    EXPECT_TRUE(window_->lesson().guide().running());
+    EXPECT_TRUE(window_->lesson().isVisible());
+    QSettings().remove("lessons/first-box");
 }
 
 TEST_F(Start, NewAndEscapeLeadToTheDrawing) {

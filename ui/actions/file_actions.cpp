@@ -290,6 +290,30 @@ bool FileActions::openDocument(const QString& path) {
                           : QString());
 }
 
+void FileActions::lookAt(const QString& path, const QString& name) {
+    context_.messages.clearNotice();
+    if (!mayDiscard()) return;
+    Document& document = context_.document;
+    auto opened = readWithProgress(document, path, window_);
+    if (!opened) {
+        if (opened.error().code != Errc::Cancelled) report(fail(opened.error()), {});
+        return;
+    }
+    opened->path.clear();
+    opened->stamp.reset();
+    // The title is asked for while it is opened.
+    looked_ = {name, document.life() + 1};
+    document.open(*std::move(opened));
+    emit fileUsed({});
+    report({}, tr("This is a pupil\u2019s work to look at. What is changed here can be saved under "
+                  "another name; the pupil\u2019s file stays as it is."));
+}
+
+QString FileActions::untitledName() const {
+    return looked_.life == context_.document.life() ? tr("%1 (read-only)").arg(looked_.name)
+                                                    : tr("Untitled");
+}
+
 bool FileActions::openScript(const QString& path, const std::string& text) {
     const auto script = readSketchScript(text);
     const QFileInfo info(path);

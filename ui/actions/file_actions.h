@@ -41,6 +41,12 @@ class FileActions : public QObject {
     void openExample(const QString& path);
     /// Asks first where someone else changed the document's file meanwhile.
     bool saveTo(const QString& path);
+    /// Opens somebody else's work to look at it, after asking about unsaved changes: the document
+    /// has no file here, so nothing is saved over hers.
+    /// \param name  of the work, for the window's title.
+    void lookAt(const QString& path, const QString& name);
+    /// What a document without a file is called.
+    QString untitledName() const;
     bool saveScriptTo(const QString& path);
     bool exportTo(const QString& path, const ExportOptions& options = {});
     /// The unit of formats that have none, once a person has said which.
@@ -117,6 +123,12 @@ class FileActions : public QObject {
     std::function<Answer()> question_;
     std::optional<ExportUnit> exportUnit_;
     QString folder_;
+    /// What is looked at, in that life of the document.
+    struct Looked {
+        QString name;
+        long life = -1;
+    };
+    Looked looked_;
     QString scriptName_;  ///< of the script that was opened last, without its ending
 };
 

@@ -1,55 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_actions.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QLocale>
 #include <QMenu>
 #include <algorithm>
 #include <vector>
 
+#include "core/document/classroom/class_overview.h"
 #include "core/document/resources.h"
+#include "ui/lesson/class_actions.h"
+#include "ui/lesson/class_session.h"
 #include "ui/lesson/lesson_guide.h"
+#include "ui/lesson/practice_actions.h"
 #include "ui/panels/message_bar.h"
 
 namespace ew {
 
-namespace {
-
-struct Listed {
-    QString path;
-    Lesson lesson;
-};
-
-/// The shipped lessons, the shorter ones first.
-std::vector<Listed> shippedLessons() {
-    std::vector<Listed> out;
-    const auto resources = resourcesFolder();
-    if (!resources) return out;
-    const QDir folder(*resources + QStringLiteral("/lessons"));
-    for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
-        auto lesson = readLesson(folder.filePath(name));
-        if (lesson) out.push_back({folder.filePath(name), *std::move(lesson)});
-    }
-    std::stable_sort(out.begin(), out.end(), [](const Listed& a, const Listed& b) {
-        return a.lesson.minutes < b.lesson.minutes;
-    });
-    return out;
-}
-
-bool wasFinished(const Lesson& lesson) {
-    const std::vector<int> stars = rememberedStars(lesson.id);
-    return stars.size() == lesson.steps.size() &&
-           std::all_of(stars.begin(), stars.end(), [](int s) { return s > 0; });
-}
-
-}  // namespace
-
 LessonActions::LessonActions(const WindowContext& context, LessonGuide& guide,
-                             std::function<bool()> mayDiscard, QWidget* window)
+                             ClassSession& session, ClassActions& classes,
+                             PracticeActions& practice, std::function<bool()> mayDiscard,
+                             QWidget* window)
     : QObject(window),
       context_(context),
       guide_(guide),
+      session_(session),
+      classes_(classes),
+      practice_(practice),
       mayDiscard_(std::move(mayDiscard)),
       window_(window) {
     connect(&guide_, &LessonGuide::failed, &context_.messages, &MessageBar::showError);
@@ -63,16 +40,35 @@ void LessonActions::fill(QMenu* menu) {
 
 void LessonActions::fillLessons(QMenu* menu) {
     menu->clear();
-    for (const Listed& listed : shippedLessons()) {
-        const QString title =
-            QString::fromStdString(textIn(listed.lesson.title, QLocale().name().toStdString()));
-        QAction* action = menu->addAction(tr("%1 (%2 min)").arg(title).arg(listed.lesson.minutes),
-                                          this, [this, path = listed.path] { begin(path); });
+    const auto resources = resourcesFolder();
+    std::vector<FileFault> problems;
+    const std::vector<ClassLesson> lessons =
+        classLessons(session_.classFolder(),
+                     resources ? *resources + QStringLiteral("/lessons") : QString(), problems);
+    for (const ClassLesson& lesson : lessons) {
+        QString title =
+            QString::fromStdString(textIn(lesson.title, QLocale().name().toStdString()));
+        title.replace('&', QStringLiteral("&&"));
+        QAction* action = menu->addAction(tr("%1 (%2 min)").arg(title).arg(lesson.minutes), this,
+                                          [this, path = lesson.path] { begin(path); });
         action->setCheckable(true);
-        action->setChecked(wasFinished(listed.lesson));
+        action->setChecked(wasFinished(lesson.id, lesson.steps));
     }
     menu->addSeparator();
     menu->addAction(tr("&Open a lesson…"), this, &LessonActions::choose);
+    practice_.fill(menu);
+    menu->addSeparator();
+    classes_.fill(menu);
+}
+
+bool LessonActions::wasFinished(const std::string& lesson, std::size_t steps) const {
+    if (session_.joined()) {
+        const LessonProgress* progress = session_.progress(lesson);
+        return progress != nullptr && progress->finished();
+    }
+    const std::vector<int> stars = rememberedStars(lesson);
+    return stars.size() == steps &&
+           std::all_of(stars.begin(), stars.end(), [](int s) { return s > 0; });
 }
 
 void LessonActions::choose() {
@@ -84,7 +80,8 @@ void LessonActions::choose() {
 
 bool LessonActions::begin(const QString& path) {
     if (!mayDiscard_()) return false;
-    const auto begun = guide_.start(path);
+    const auto begun =
+        guide_.start(path, [this](const Lesson& lesson) { return session_.stepOf(lesson); });
     if (!begun) context_.messages.showError(begun.error());
     return begun.has_value();
 }

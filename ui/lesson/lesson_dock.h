@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDockWidget>
-#include <functional>
 
 #include "ui/window_context.h"
 
@@ -11,8 +10,12 @@ class QMenu;
 
 namespace ew {
 
+class ClassActions;
+class ClassSession;
+class FileActions;
 class LessonActions;
 class LessonGuide;
+class PracticeActions;
 
 /// The place of a lesson in a window: its panel, which is there while one runs and in no list of
 /// panels, and its menu.
@@ -20,18 +23,26 @@ class LessonDock : public QDockWidget {
     Q_OBJECT
 
   public:
-    /// \param mayDiscard  asks about work that is not saved; false: nothing is to be done.
-    LessonDock(const WindowContext& context, std::function<bool()> mayDiscard, QMainWindow* window);
+    /// \param files  asks about work that is not saved before a lesson takes its place.
+    LessonDock(const WindowContext& context, FileActions& files, QMainWindow* window);
 
     LessonGuide& guide() { return *guide_; }
+    ClassSession& session() { return *session_; }
+    ClassActions& classes() { return *classes_; }
+    PracticeActions& practice() { return *practice_; }
     void fill(QMenu* menu);
     /// Begins a lesson, after asking about work that is not saved; false where it does not.
     bool begin(const QString& path);
+    /// Keeps what a pupil did, while there is a document.
+    void leaveClass();
 
   private:
     void refresh();
 
     LessonGuide* guide_;
+    ClassSession* session_;
+    ClassActions* classes_;
+    PracticeActions* practice_;
     LessonActions* actions_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -10,6 +11,7 @@ class QPushButton;
 namespace ew {
 
 class Appearance;
+class ClassSession;
 class LessonGuide;
 
 /// What a lesson says: the step, what to do, what became of it, hints.
@@ -17,7 +19,8 @@ class LessonPanel : public QWidget {
     Q_OBJECT
 
   public:
-    LessonPanel(LessonGuide& guide, Appearance& appearance, QWidget* parent = nullptr);
+    LessonPanel(LessonGuide& guide, ClassSession& session, Appearance& appearance,
+                QWidget* parent = nullptr);
 
   signals:
     /// The lesson is to end.
@@ -28,20 +31,29 @@ class LessonPanel : public QWidget {
 
   private:
     void claimHeight();
+    void showPupil();
+    void showPicture();
+    void arrange(bool isPractice);
+    QString doneText() const;
     void refresh();
     void showHint();
 
     LessonGuide& guide_;
+    ClassSession& session_;
     Appearance& appearance_;
     QLabel* title_;
     QLabel* place_;
+    QLabel* pupil_;
     QProgressBar* progress_;
     QLabel* task_;
+    QLabel* picture_;
     QLabel* said_;
+    QGridLayout* buttons_;
     QPushButton* hint_;
     QPushButton* show_;
     QPushButton* again_;
     QPushButton* next_;
+    QPushButton* end_;
     bool hintShown_ = false;
     std::size_t step_ = 0;
 };

@@ -22,6 +22,7 @@
 
 #include "core/document/file_names.h"
 #include "ui/core_text.h"
+#include "ui/lesson/listed_lessons.h"
 #include "ui/start/card_delegate.h"
 #include "ui/start/examples.h"
 #include "ui/theme/appearance.h"
@@ -224,6 +225,7 @@ void StartPage::refreshSections() {
     sections_->clear();
     sections_->addItem(tr("Recent documents"));
     sections_->addItem(tr("Examples"));
+    sections_->addItem(tr("Lessons"));
     if (!lost_.empty()) sections_->addItem(tr("Recover (%1)").arg(lost_.size()));
     const int height = sections_->fontMetrics().height() + metrics::kMargin;
     for (int i = 0; i < sections_->count(); ++i) sections_->item(i)->setSizeHint({0, height});
@@ -247,6 +249,13 @@ void StartPage::fill() {
                 tr("Drawings that are replayed stroke by stroke; the history shows "
                    "how each was made."));
             fillExamples();
+            break;
+        case Section::Lessons:
+            heading_->setText(tr("Lessons"));
+            about_->setText(
+                tr("Each leads through something that can be drawn, step by step, with "
+                   "strokes to trace and hints."));
+            fillLessons();
             break;
         case Section::Recover:
             heading_->setText(tr("Work that was not closed"));
@@ -296,6 +305,19 @@ void StartPage::fillExamples() {
     }
 }
 
+void StartPage::fillLessons() {
+    for (const ListedLesson& lesson : listedLessons()) {
+        QString detail = tr("%1 min").arg(lesson.minutes);
+        if (lesson.stars > 0) {
+            detail +=
+                QStringLiteral(" \u00b7 \u2605 %1 / %2").arg(lesson.stars).arg(lesson.mostStars);
+        }
+        QStandardItem* item = addCard(lesson.title, detail, pictureOf(lesson.picture));
+        item->setData(lesson.path, kPathRole);
+        item->setToolTip(lesson.summary);
+    }
+}
+
 void StartPage::fillRecover() {
     for (const WorkCopyEntry& entry : lost_) {
         const QString path = entry.note.documentPath;
@@ -317,6 +339,8 @@ void StartPage::showEmptyText() {
         empty_->setText(tr("Nothing here is called \u201c%1\u201d.").arg(search_->text()));
     } else if (section_ == Section::Recent) {
         empty_->setText(tr("What you open or save is listed here."));
+    } else if (section_ == Section::Lessons) {
+        empty_->setText(tr("There are no lessons"));
     } else {
         empty_->setText(tr("There are no examples"));
     }
@@ -333,6 +357,9 @@ void StartPage::open(const QModelIndex& index) {
             break;
         case Section::Examples:
             emit exampleWanted(path);
+            break;
+        case Section::Lessons:
+            emit lessonWanted(path);
             break;
         case Section::Recover: {
             const auto place = static_cast<std::size_t>(index.data(kPlaceRole).toInt());

@@ -21,14 +21,14 @@ namespace ew {
 class Appearance;
 class CardDelegate;
 
-/// What a window shows before anything is opened in it: recent documents, examples, and work that
-/// was not closed as one closes a document. It opens nothing by itself: its signals say what is
-/// wanted.
+/// What a window shows before anything is opened in it: recent documents, examples, lessons, and
+/// work that was not closed as one closes a document. It opens nothing by itself: its signals say
+/// what is wanted.
 class StartPage : public QWidget {
     Q_OBJECT
 
   public:
-    enum class Section { Recent, Examples, Recover };
+    enum class Section { Recent, Examples, Lessons, Recover };
 
     /// \param workFolder  of working copies; empty: none are kept.
     StartPage(RecentFiles recent, const QString& workFolder, Appearance& appearance,
@@ -49,6 +49,7 @@ class StartPage : public QWidget {
     void openWanted();
     void fileWanted(const QString& path, bool inNewWindow);
     void exampleWanted(const QString& path);
+    void lessonWanted(const QString& path);
     void recoverWanted(const ew::WorkCopyEntry& entry);
     void putAwayWanted(const ew::WorkCopyEntry& entry);
     /// The page is to go away.
@@ -68,6 +69,7 @@ class StartPage : public QWidget {
     void fill();
     void fillRecent();
     void fillExamples();
+    void fillLessons();
     void fillRecover();
     void showEmptyText();
     QStandardItem* addCard(const QString& name, const QString& detail, const QPixmap& picture);

@@ -89,6 +89,28 @@ class Judge {
     double tolerance_;
 };
 
+/// Does what a script says, and judges what became of it.
+Result<Attempt> judged(Judge& judge, Document& pupil, const Lesson& lesson, std::size_t step,
+                       const SketchScript& script) {
+    CameraStep window;
+    window.viewport = Vec2(script.viewport[0], script.viewport[1]);
+    if (const StepReport set = runStep(pupil, window, 0, {}); !set.ok) return fail(*set.error);
+    for (std::size_t i = 0; i < script.steps.size(); ++i) {
+        const StepReport report = runStep(pupil, script.steps[i], static_cast<int>(i), {});
+        if (report.ok) continue;
+        // Strokes that cannot be read at all, and an apply that fails, are what the hint is for.
+        const auto* apply = std::get_if<ApplyStep>(&script.steps[i]);
+        return apply != nullptr ? judge.apply(*apply) : Judge::failed(*report.error);
+    }
+    const Unlike how = judge.unlike();
+    if (how == Unlike::Nothing || pupil.pendingStrokes().empty()) return judge.verdict();
+    const ScriptStep* deed = lastDeed(lesson, step);
+    if (deed == nullptr) return judge.verdict();
+    if (const auto* apply = std::get_if<ApplyStep>(deed)) return judge.apply(*apply);
+    if (auto mapped = pupil.mapStrokes(); !mapped) return Judge::failed(mapped.error());
+    return judge.verdict();
+}
+
 }  // namespace
 
 std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t step) {
@@ -100,6 +122,21 @@ std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t ste
     std::size_t begin = from;
     while (begin < to && setsStage(steps[begin])) ++begin;
     return {begin < to && isStroke(begin) ? begin : from, to};
+}
+
+int starsFor(int drawnStrokes, int wantedStrokes) {
+    constexpr int kThree = 3;
+    if (drawnStrokes <= wantedStrokes) return kThree;
+    return 2 * drawnStrokes <= 3 * wantedStrokes ? 2 : 1;
+}
+
+int wantedStrokes(const Lesson& lesson, std::size_t step) {
+    const auto [from, to] = taskOf(lesson, step);
+    int count = 0;
+    for (std::size_t i = from; i < to; ++i) {
+        if (std::holds_alternative<StrokeStep>(lesson.solution.steps[i])) ++count;
+    }
+    return count;
 }
 
 Unlike stageUnlike(const LessonStage& stage, const Document& pupil, double tolerance) {
@@ -134,7 +171,8 @@ Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step,
 }
 
 Result<Attempt> tryStep(const Lesson& lesson, std::size_t step, const SketchScript& script,
-                        const TemplateLibrary& shipped) {
+                        const TemplateLibrary& shipped,
+                        std::shared_ptr<const DocumentState>* made) {
     for (const ScriptStep& s : script.steps) {
         if (fileOfStep(s)) {
             return fail(Errc::BadValue, "A lesson has no step " + std::string(stepName(s)) + ".");
@@ -145,23 +183,9 @@ Result<Attempt> tryStep(const Lesson& lesson, std::size_t step, const SketchScri
     Document pupil(shipped);
     pupil.restore(stage->begin->contents(), {});
     Judge judge(*stage, pupil, lesson.steps[step].tolerance);
-    CameraStep window;
-    window.viewport = Vec2(script.viewport[0], script.viewport[1]);
-    if (const StepReport set = runStep(pupil, window, 0, {}); !set.ok) return fail(*set.error);
-    for (std::size_t i = 0; i < script.steps.size(); ++i) {
-        const StepReport report = runStep(pupil, script.steps[i], static_cast<int>(i), {});
-        if (report.ok) continue;
-        // Strokes that cannot be read at all, and an apply that fails, are what the hint is for.
-        const auto* apply = std::get_if<ApplyStep>(&script.steps[i]);
-        return apply != nullptr ? judge.apply(*apply) : Judge::failed(*report.error);
-    }
-    const Unlike how = judge.unlike();
-    if (how == Unlike::Nothing || pupil.pendingStrokes().empty()) return judge.verdict();
-    const ScriptStep* deed = lastDeed(lesson, step);
-    if (deed == nullptr) return judge.verdict();
-    if (const auto* apply = std::get_if<ApplyStep>(deed)) return judge.apply(*apply);
-    if (auto mapped = pupil.mapStrokes(); !mapped) return Judge::failed(mapped.error());
-    return judge.verdict();
+    auto tried = judged(judge, pupil, lesson, step, script);
+    if (made != nullptr) *made = pupil.stateAt(pupil.undoStack().index());
+    return tried;
 }
 
 }  // namespace ew

@@ -37,6 +37,12 @@ Unlike stageUnlike(const LessonStage& stage, const Document& pupil, double toler
 /// earlier solid goes) sets the stage and is done for the pupil; without strokes it is the task.
 std::pair<std::size_t, std::size_t> taskOf(const Lesson& lesson, std::size_t step);
 
+/// 1 to 3 for a step that was done: three for no more strokes than the solution has, two for half
+/// as many again.
+int starsFor(int drawnStrokes, int wantedStrokes);
+/// How many strokes the solution has in a step.
+int wantedStrokes(const Lesson& lesson, std::size_t step);
+
 /// Replays the solution up to a step, and through it.
 /// \param step  from 0. Errors: BadValue for a step that is not there; those of a step of the
 ///     solution that fails.
@@ -47,7 +53,9 @@ Result<LessonStage> stageOf(const Lesson& lesson, std::size_t step, const Templa
 /// done, and strokes that are left are applied as the step's solution does it. Where the program
 /// asks which of several readings is meant, the wanted one is. Errors: those of stageOf(); BadValue
 /// for a script with steps that are not for lessons.
+/// \param made  what became of it; null where nobody asks.
 Result<Attempt> tryStep(const Lesson& lesson, std::size_t step, const SketchScript& script,
-                        const TemplateLibrary& shipped);
+                        const TemplateLibrary& shipped,
+                        std::shared_ptr<const DocumentState>* made = nullptr);
 
 }  // namespace ew

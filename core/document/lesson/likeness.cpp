@@ -256,6 +256,16 @@ std::string unlikeName(Unlike unlike) { return told(unlike).name; }
 
 std::string unlikeSentence(Unlike unlike) { return told(unlike).sentence; }
 
+double proportionsOff(const DocumentState& wanted, const DocumentState& made) {
+    const auto wish = visibleBodies(wanted);
+    const auto is = visibleBodies(made);
+    if (wish.size() != 1 || is.size() != 1) return 1.0;
+    const Vec3 p = reaches(wish.front()->solid) / reaches(wish.front()->solid).x();
+    const Vec3 q = reaches(is.front()->solid) / reaches(is.front()->solid).x();
+    const auto off = [](double x, double y) { return std::max(x, y) / std::min(x, y) - 1.0; };
+    return std::max(off(p.y(), q.y()), off(p.z(), q.z()));
+}
+
 Unlike likeness(const DocumentState& before, const DocumentState& wanted, const DocumentState& made,
                 double tolerance) {
     if (sameSolids(before, wanted)) {

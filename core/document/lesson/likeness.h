@@ -33,4 +33,8 @@ std::string unlikeSentence(Unlike unlike);
 Unlike likeness(const DocumentState& before, const DocumentState& wanted, const DocumentState& made,
                 double tolerance);
 
+/// How far the proportions of one made solid are off from those of the wanted one, as a share; 1
+/// where either has not exactly one.
+double proportionsOff(const DocumentState& wanted, const DocumentState& made);
+
 }  // namespace ew
