@@ -1846,6 +1846,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
         <translation>Vorlage „%1“ festlegen</translation>
     </message>
     <message>
+        <source>Change template “%1”</source>
+        <translation>Vorlage „%1“ ändern</translation>
+    </message>
+    <message>
         <source>Delete solid</source>
         <translation>Körper löschen</translation>
     </message>
