@@ -11,7 +11,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
@@ -38,6 +38,7 @@ namespace ew {
 namespace {
 
 constexpr QSize kFirstSize(1180, 740);
+constexpr QSize kFrame(8, 40);  // what the window's frame takes of the screen
 constexpr double kMostMm = 1e6;
 constexpr int kDecimals = 3;
 constexpr int kViewsWidth = 250;
@@ -87,8 +88,8 @@ TemplateEditor::TemplateEditor(Document& document, Appearance& appearance, Templ
     parts->setStretchFactor(2, 2);
     layout->addWidget(parts, 1);
     layout->addWidget(buildButtons());
-    resize(kFirstSize);
-    parts->setSizes({kFirstSize.width() * 45 / 100, kViewsWidth, kFirstSize.width() / 3});
+    resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
+    parts->setSizes({width() * 45 / 100, kViewsWidth, width() / 3});
     connectParts();
     showPicked();
     showReport();
