@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/tolerance.h"
 #include "core/document/file_bytes.h"
 #include "core/document/file_fault.h"
 #include "core/document/read_mesh.h"
@@ -308,7 +309,9 @@ ew::Result<ew::Template> templateOfMesh(const std::string& bytes, const std::str
     if (!shape) return ew::fail(shape.error());
     ew::Template out;
     out.shape = *std::move(shape);
-    for (const ew::FoundRelation& found : ew::findRelations(out.shape)) {
+    // Most files have numbers of seven digits.
+    for (const ew::FoundRelation& found :
+         ew::findRelations(out.shape, ew::tol::kTemplateRelation)) {
         if (found.kind != ew::RelationKind::EqualLength) ew::addRelation(out.relations, found);
     }
     return out;

@@ -36,12 +36,13 @@ std::vector<TemplateEdge> edgesOf(const PolyhedronSpec& shape) {
 }
 
 std::vector<DirectionClass> directionClasses(const PolyhedronSpec& shape,
-                                             const std::vector<TemplateEdge>& edges) {
+                                             const std::vector<TemplateEdge>& edges,
+                                             double tolerance) {
     std::vector<DirectionClass> classes;
     for (const TemplateEdge& edge : edges) {
         const Vec3 d = along(shape, edge).normalized();
         const auto place = std::find_if(classes.begin(), classes.end(), [&](const auto& c) {
-            return c.direction.cross(d).norm() <= tol::kSolidDirection;
+            return c.direction.cross(d).norm() <= tolerance;
         });
         if (place == classes.end()) {
             classes.push_back({d, {edge}});
@@ -68,10 +69,10 @@ std::vector<TemplateEdge> meetingPair(const DirectionClass& a, const DirectionCl
 }
 
 void addEqualLengths(const PolyhedronSpec& shape, const std::vector<TemplateEdge>& edges,
-                     std::vector<FoundRelation>& out) {
+                     double tolerance, std::vector<FoundRelation>& out) {
     Eigen::AlignedBox3d box;
     for (const Vec3& v : shape.vertices) box.extend(v);
-    const double slack = tol::kSolidDirection * box.diagonal().norm();
+    const double slack = tolerance * box.diagonal().norm();
     std::vector<std::pair<double, std::vector<TemplateEdge>>> classes;
     for (const TemplateEdge& edge : edges) {
         const double length = along(shape, edge).norm();
@@ -92,21 +93,25 @@ void addEqualLengths(const PolyhedronSpec& shape, const std::vector<TemplateEdge
 }  // namespace
 
 std::vector<FoundRelation> findRelations(const PolyhedronSpec& shape) {
+    return findRelations(shape, tol::kSolidDirection);
+}
+
+std::vector<FoundRelation> findRelations(const PolyhedronSpec& shape, double tolerance) {
     std::vector<FoundRelation> out;
     const std::vector<TemplateEdge> edges = edgesOf(shape);
-    const std::vector<DirectionClass> classes = directionClasses(shape, edges);
+    const std::vector<DirectionClass> classes = directionClasses(shape, edges, tolerance);
     for (const DirectionClass& c : classes) {
         if (c.edges.size() >= 2) out.push_back({RelationKind::Parallel, c.edges});
     }
     for (std::size_t i = 0; i < classes.size(); ++i) {
         for (std::size_t j = i + 1; j < classes.size(); ++j) {
             const double cosine = classes[i].direction.dot(classes[j].direction);
-            if (std::abs(cosine) > tol::kSolidDirection) continue;
+            if (std::abs(cosine) > tolerance) continue;
             std::vector<TemplateEdge> pair = meetingPair(classes[i], classes[j]);
             if (!pair.empty()) out.push_back({RelationKind::Perpendicular, std::move(pair)});
         }
     }
-    addEqualLengths(shape, edges, out);
+    addEqualLengths(shape, edges, tolerance, out);
     return out;
 }
 

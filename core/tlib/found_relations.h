@@ -21,6 +21,10 @@ struct FoundRelation {
 /// \pre every face has two corners or more, and its indices are those of vertices.
 std::vector<FoundRelation> findRelations(const PolyhedronSpec& shape);
 
+/// The same with another tolerance: of a file with numbers of seven digits, say, up to
+/// tol::kTemplateRelation.
+std::vector<FoundRelation> findRelations(const PolyhedronSpec& shape, double tolerance);
+
 /// Is it true of the shape, within tol::kTemplateRelation as checkTemplate() has it? False where an
 /// edge has no length.
 bool relationHolds(const PolyhedronSpec& shape, const FoundRelation& relation);

@@ -2,8 +2,10 @@
 // What an author of templates is told: relations of a shape, freedoms, families, aspects of others.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/base/tolerance.h"
 #include "core/tlib/aspect_facts.h"
 #include "core/tlib/family.h"
 #include "core/tlib/freedom.h"
@@ -59,6 +61,18 @@ TEST(FoundRelations, ABoxHasThreeDirectionsAtRightAngles) {
             EXPECT_EQ(r.edges.size(), 4U);
         }
     }
+}
+
+TEST(FoundRelations, OfNumbersOfSevenDigits) {
+    Template box = shippedTemplate("cube");
+    const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vec3& v : box.shape.vertices) v = (turn * v).cast<float>().cast<double>();
+    box.relations = {};
+    const auto found = findRelations(box.shape, tol::kTemplateRelation);
+    EXPECT_EQ(count(found, RelationKind::Parallel), 3);
+    EXPECT_EQ(count(found, RelationKind::Perpendicular), 3);
+    for (const FoundRelation& r : found) addRelation(box.relations, r);
+    EXPECT_TRUE(checkTemplate(box, "t")) << checkTemplate(box, "t").error().message;
 }
 
 TEST(FoundRelations, HoldOfEveryFamily) {
