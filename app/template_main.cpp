@@ -12,14 +12,21 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/tolerance.h"
 #include "core/document/file_bytes.h"
 #include "core/document/file_fault.h"
+#include "core/document/read_mesh.h"
+#include "core/document/replay.h"
 #include "core/document/resources.h"
+#include "core/document/template_from_solid.h"
+#include "core/document/template_id.h"
 #include "core/document/template_pack.h"
 #include "core/document/tool_words.h"
 #include "core/reading/confusion.h"
+#include "core/tlib/found_relations.h"
 #include "core/tlib/library.h"
 #include "core/tlib/library_index.h"
+#include "core/tlib/mesh_shape.h"
 #include "core/tlib/template_io.h"
 
 namespace {
@@ -39,6 +46,9 @@ constexpr const char* kHelp =
     "                    [--count N] [--level light|normal|rough] [--seed S]\n"
     "edgewright-template pack FILE... --out PACK --name NAME [--author A] [--licence L]\n"
     "                    [--pack-version V]   one file to pass on\n"
+    "edgewright-template convert FILE --out TEMPLATE [--name NAME] [--id ID]\n"
+    "                    a template of an OBJ or PLY mesh, or of the solid that a sketch script\n"
+    "                    makes\n"
     "  --json      print JSON\n"
     "  --help, --version\n"
     "FILE is a template (.json) or a pack (.edgewright-templates).\n"
@@ -47,7 +57,7 @@ constexpr const char* kHelp =
 
 struct Arguments : ew::ToolWords {
     QString out, name, author, licence, packVersion;
-    QString count, level, seed;
+    QString count, level, seed, id;
 };
 
 int unusable(const std::string& message) {
@@ -275,19 +285,80 @@ int pack(const Arguments& arguments, Loaded loaded) {
     return kDone;
 }
 
+/// The solid that a sketch script makes; its files are neither read nor written.
+ew::Result<ew::Template> solidOfScript(const std::string& bytes) {
+    const auto script = ew::readSketchScript(bytes);
+    if (!script) return ew::fail(script.error());
+    const auto shipped = ew::loadTemplates();
+    if (!shipped) return ew::fail(shipped.error());
+    ew::Document document(shipped->library);
+    ew::ReplayOptions options;
+    options.leaveOutFiles = true;
+    const ew::ReplayReport report = ew::replay(document, *script, options);
+    if (const ew::StepReport* failed = report.firstFailure(); failed != nullptr) {
+        return ew::fail(failed->error->code, "step " + std::to_string(failed->index) + " (" +
+                                                 failed->name + "): " + failed->error->message);
+    }
+    return ew::templateFromBodies(document.state().bodies, {}, {});
+}
+
+ew::Result<ew::Template> templateOfMesh(const std::string& bytes, const std::string& source) {
+    const auto mesh = ew::readMesh(bytes, source);
+    if (!mesh) return ew::fail(mesh.error());
+    auto shape = ew::shapeOfMesh(*mesh);
+    if (!shape) return ew::fail(shape.error());
+    ew::Template out;
+    out.shape = *std::move(shape);
+    // Most files have numbers of seven digits.
+    for (const ew::FoundRelation& found :
+         ew::findRelations(out.shape, ew::tol::kTemplateRelation)) {
+        if (found.kind != ew::RelationKind::EqualLength) ew::addRelation(out.relations, found);
+    }
+    return out;
+}
+
+/// 1 where the file can be read and makes no template, 2 where it cannot be read.
+int convert(const Arguments& arguments) {
+    if (arguments.files.size() != 1 || arguments.out.isEmpty()) {
+        return unusable("convert needs one file and --out");
+    }
+    const QString& file = arguments.files.front();
+    const auto bytes = ew::readFileBytes(file, kMostBytes);
+    if (!bytes) return unusable(bytes.error().message);
+    const std::string source = file.toStdString();
+    const bool isScript = bytes->find_first_not_of(" \t\r\n") != std::string::npos &&
+                          (*bytes)[bytes->find_first_not_of(" \t\r\n")] == '{';
+    auto tmpl = isScript ? solidOfScript(*bytes) : templateOfMesh(*bytes, source);
+    if (tmpl) {
+        const QString base = QFileInfo(file).completeBaseName();
+        tmpl->name = (arguments.name.isEmpty() ? base : arguments.name).toStdString();
+        tmpl->id = arguments.id.isEmpty() ? ew::idFromName(tmpl->name) : arguments.id.toStdString();
+        if (const auto ok = ew::checkTemplate(*tmpl, source); !ok) tmpl = ew::fail(ok.error());
+    }
+    if (!tmpl) {
+        Loaded loaded;
+        loaded.faults.push_back(ew::fileFault(source, tmpl.error()));
+        return tellFaults(loaded, arguments.json);
+    }
+    const auto written = ew::writeFileBytes(arguments.out, ew::writeTemplate(*tmpl));
+    return written ? kDone : unusable(written.error().message);
+}
+
 ew::Result<Arguments> readArguments(const QStringList& words) {
     Arguments out;
-    auto said = ew::readToolWords(words,
-                                  {QStringLiteral("check"), QStringLiteral("aspects"),
-                                   QStringLiteral("confusion"), QStringLiteral("pack")},
-                                  {{"--out", &out.out},
-                                   {"--name", &out.name},
-                                   {"--author", &out.author},
-                                   {"--licence", &out.licence},
-                                   {"--pack-version", &out.packVersion},
-                                   {"--count", &out.count},
-                                   {"--level", &out.level},
-                                   {"--seed", &out.seed}});
+    auto said = ew::readToolWords(
+        words,
+        {QStringLiteral("check"), QStringLiteral("aspects"), QStringLiteral("confusion"),
+         QStringLiteral("pack"), QStringLiteral("convert")},
+        {{"--out", &out.out},
+         {"--name", &out.name},
+         {"--author", &out.author},
+         {"--licence", &out.licence},
+         {"--pack-version", &out.packVersion},
+         {"--count", &out.count},
+         {"--level", &out.level},
+         {"--seed", &out.seed},
+         {"--id", &out.id}});
     if (!said) return ew::fail(said.error());
     static_cast<ew::ToolWords&>(out) = *std::move(said);
     return out;
@@ -312,6 +383,7 @@ int main(int argc, char** argv) {
         return kUnusable;
     }
     const Arguments& arguments = *read;
+    if (arguments.command == QStringLiteral("convert")) return convert(arguments);
     auto loaded = load(arguments.files);
     if (!loaded) return unusable(loaded.error().message);
     findTwins(*loaded);

@@ -1522,6 +1522,52 @@
     <message>
         <source>No exercise was found for this number; try another one.</source>
         <translation>Für diese Nummer wurde keine Übung gefunden; nimm eine andere.</translation>
+        <source>a template has 4 to 64 vertices, not %1.</source>
+        <translation>Eine Vorlage hat 4 bis 64 Ecken, nicht %1.</translation>
+    </message>
+    <message>
+        <source>The solid cuts through itself.</source>
+        <translation>Der Körper durchdringt sich selbst.</translation>
+    </message>
+    <message>
+        <source>The faces of the solid point inwards.</source>
+        <translation>Die Flächen des Körpers zeigen nach innen.</translation>
+    </message>
+    <message>
+        <source>Faces %1 and %2 cut through or touch each other.</source>
+        <translation>Die Flächen %1 und %2 durchdringen oder berühren sich.</translation>
+    </message>
+    <message>
+        <source>coordinates must be finite and at most 1000000.</source>
+        <translation>Koordinaten müssen endlich und höchstens 1000000 sein.</translation>
+    </message>
+    <message>
+        <source>vertex %1 is off the face&apos;s plane.</source>
+        <translation>Ecke %1 liegt nicht in der Ebene der Fläche.</translation>
+    </message>
+    <message>
+        <source>edge %1 has no length.</source>
+        <translation>Kante %1 hat keine Länge.</translation>
+    </message>
+    <message>
+        <source>the face has no area.</source>
+        <translation>die Fläche hat keinen Inhalt.</translation>
+    </message>
+    <message>
+        <source>the shape is too small.</source>
+        <translation>die Form ist zu klein.</translation>
+    </message>
+    <message>
+        <source>lies in one plane with face %1; make them one face.</source>
+        <translation>liegt in einer Ebene mit Fläche %1; beide sollten eine sein.</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2 are parallel too; they cannot be both.</source>
+        <translation>Die Kanten %1 und %2 sind auch parallel; beides zugleich geht nicht.</translation>
+    </message>
+    <message>
+        <source>edge %1 runs against its own class.</source>
+        <translation>Kante %1 läuft ihren Parallelen entgegen.</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +1751,50 @@ Free software under the GNU General Public License, version 3 or later, without 
         <translation>Macht aus Stiftstrichen Schritt für Schritt Körper, mit einer Topologie-Bibliothek.
 
 Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewährleistung. Verwendet Qt, VTK, OpenMesh, OpenSubdiv, CGAL und Eigen.</translation>
+    </message>
+    <message>
+        <source>Templates of your own</source>
+        <translation>Eigene Vorlagen</translation>
+    </message>
+    <message>
+        <source>Make one</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>Sketch, Template editor: it begins with the solid; a template, or a prism, pyramid or frustum over any polygon, can take its place</source>
+        <translation>Zeichnung, Vorlageneditor: Er beginnt mit dem Körper; eine Vorlage, oder ein Prisma, eine Pyramide oder ein Stumpf über einem beliebigen Vieleck, kann an seine Stelle treten</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>what is ticked holds for every drawing of it; point at a rule and its edges light up</source>
+        <translation>Was angehakt ist, gilt für jede Zeichnung davon; wird auf eine Regel gezeigt, leuchten ihre Kanten</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>from where it can be drawn, and which other template looks the same from there; a click turns the shape</source>
+        <translation>von wo sie gezeichnet werden kann, und welche andere Vorlage von dort gleich aussieht; ein Klick dreht die Form</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Change or copy one</source>
+        <translation>Ändern oder kopieren</translation>
+    </message>
+    <message>
+        <source>right click in the T-LIB panel; templates of the document are edited, all can be duplicated</source>
+        <translation>Rechtsklick im Bereich T-LIB; Vorlagen des Dokuments lassen sich bearbeiten, alle duplizieren</translation>
+    </message>
+    <message>
+        <source>draw it on the sheet and see whether it is read, before it is added to the document; Mix-ups counts how often it would be taken for another</source>
+        <translation>auf dem Blatt zeichnen und sehen, ob sie gelesen wird, bevor sie in das Dokument kommt; Verwechslungen zählt, wie oft sie für eine andere gehalten würde</translation>
     </message>
 </context>
 <context>
@@ -2156,6 +2246,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später, ohn
     <message>
         <source>Remove strokes from surface</source>
         <translation>Striche von Oberfläche entfernen</translation>
+    </message>
+    <message>
+        <source>Change template “%1”</source>
+        <translation>Vorlage „%1“ ändern</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3605,6 @@ seit %2</translation>
         <translation>Eindeutiges von &amp;selbst anwenden</translation>
     </message>
     <message>
-        <source>Add solid as &amp;template…</source>
-        <translation>Körper als &amp;Vorlage aufnehmen …</translation>
-    </message>
-    <message>
         <source>Make a solid of the drawing (Enter)</source>
         <translation>Aus der Zeichnung einen Körper machen (Eingabetaste)</translation>
     </message>
@@ -3537,6 +3627,14 @@ seit %2</translation>
     <message>
         <source>%1 can be drawn from now on.</source>
         <translation>%1 kann von jetzt an gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Template editor…</source>
+        <translation>&amp;Vorlageneditor …</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Kopie von %1</translation>
     </message>
 </context>
 <context>
@@ -4053,37 +4151,6 @@ seit %2</translation>
     </message>
 </context>
 <context>
-    <name>ew::TemplateDialog</name>
-    <message>
-        <source>Add solid as template</source>
-        <translation>Körper als Vorlage aufnehmen</translation>
-    </message>
-    <message>
-        <source>Drawings of this shape, in any proportion, will be read as it.</source>
-        <translation>Zeichnungen dieser Form werden in jedem Seitenverhältnis als sie gelesen.</translation>
-    </message>
-    <message>
-        <source>&amp;Name</source>
-        <translation>&amp;Name</translation>
-    </message>
-    <message>
-        <source>&amp;Id</source>
-        <translation>&amp;Kennung</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Names the template in files and scripts: small letters, digits and hyphens.</source>
-        <translation>Bezeichnet die Vorlage in Dateien und Skripten: Kleinbuchstaben, Ziffern und Bindestriche.</translation>
-    </message>
-    <message>
-        <source>There is a template with this id already.</source>
-        <translation>Es gibt schon eine Vorlage mit dieser Kennung.</translation>
-    </message>
-</context>
-<context>
     <name>ew::TemplatePanel</name>
     <message>
         <source>Templates</source>
@@ -4096,10 +4163,6 @@ seit %2</translation>
     <message>
         <source>A template file that is put there is used from the next start on.</source>
         <translation>Eine Vorlagendatei, die dort liegt, gilt vom nächsten Start an.</translation>
-    </message>
-    <message>
-        <source>The solid on screen becomes a shape that drawings can match.</source>
-        <translation>Der gezeigte Körper wird zu einer Form, der Zeichnungen entsprechen können.</translation>
     </message>
     <message>
         <source>%1 vertices, %2 faces</source>
@@ -4130,8 +4193,24 @@ seit %2</translation>
         <translation>Auch gelesen als: %1</translation>
     </message>
     <message>
-        <source>Add solid as tem&amp;plate…</source>
-        <translation>&amp;Körper als Vorlage aufnehmen …</translation>
+        <source>New tem&amp;plate…</source>
+        <translation>Vorlage aufneh&amp;men …</translation>
+    </message>
+    <message>
+        <source>The solid on screen, or a prism, pyramid or frustum, becomes a shape that drawings can match.</source>
+        <translation>Der gezeigte Körper, ein Prisma, eine Pyramide oder ein Stumpf wird zu einer Form, auf die Zeichnungen passen können.</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Only templates of this document can be changed; duplicate this one.</source>
+        <translation>Nur Vorlagen dieses Dokuments lassen sich ändern; diese lässt sich duplizieren.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate…</source>
+        <translation>&amp;Duplizieren …</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4381,739 @@ seit %2</translation>
             <numerusform>Wiederhergestellt: %n Schritt, Stand %1.</numerusform>
             <numerusform>Wiederhergestellt: %n Schritte, Stand %1.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ew::PullBar</name>
+    <message>
+        <source>Straight walls</source>
+        <translation>Gerade Wände</translation>
+    </message>
+    <message>
+        <source>Pull by</source>
+        <translation>Ziehen um</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance to pull the face by</source>
+        <translation>Strecke, um die die Fläche gezogen wird</translation>
+    </message>
+    <message>
+        <source>The face keeps its outline, and new walls join it to the solid. Without it, the faces beside it go on as they slant.</source>
+        <translation>Die Fläche behält ihren Umriss, und neue Wände verbinden sie mit dem Körper. Sonst laufen die Nachbarflächen so weiter, wie sie geneigt sind.</translation>
+    </message>
+    <message>
+        <source>Type another distance and press Enter; negative goes inwards.</source>
+        <translation>Eine andere Strecke eintippen und Enter drücken; negativ geht nach innen.</translation>
+    </message>
+    <message>
+        <source>Drag a face, or click one and type a distance.</source>
+        <translation>Eine Fläche ziehen, oder eine anklicken und eine Strecke eintippen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::BodyPanel</name>
+    <message>
+        <source>%1 × %2 × %3 mm, volume %4 cm³</source>
+        <translation>%1 × %2 × %3 mm, Volumen %4 cm³</translation>
+    </message>
+    <message>
+        <source>Solid %1</source>
+        <translation>Körper %1</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Move…</source>
+        <translation>Bewegen …</translation>
+    </message>
+    <message>
+        <source>Move, turn, scale or mirror the chosen solid by numbers</source>
+        <translation>Den gewählten Körper mit Zahlen bewegen, drehen, skalieren oder spiegeln</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy of the chosen solid beside it</source>
+        <translation>Eine Kopie neben den gewählten Körper stellen</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Make one solid of two chosen ones that touch</source>
+        <translation>Aus zwei gewählten Körpern, die sich berühren, einen machen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen solids</source>
+        <translation>Die gewählten Körper löschen</translation>
+    </message>
+    <message>
+        <source>The check mark shows or hides it; double click to name it.</source>
+        <translation>Das Häkchen blendet ihn ein oder aus; ein Doppelklick benennt ihn.</translation>
+    </message>
+    <message>
+        <source>Name…</source>
+        <translation>Benennen …</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Subtract the second from the first</source>
+        <translation>Den zweiten vom ersten abziehen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::MoveDialog</name>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Keep the solid and move a &amp;copy</source>
+        <translation>Den Körper behalten und eine &amp;Kopie bewegen</translation>
+    </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>„%1“ bewegen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Entlang %1</translation>
+    </message>
+    <message>
+        <source>Along &amp;%1</source>
+        <translation>Entlang &amp;%1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>across %1</source>
+        <translation>quer zu %1</translation>
+    </message>
+    <message>
+        <source>not</source>
+        <translation>nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale to</source>
+        <translation>&amp;Skalieren auf</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>It is scaled, turned and mirrored about its middle, then moved.</source>
+        <translation>Er wird um seine Mitte skaliert, gedreht und gespiegelt, dann bewegt.</translation>
+    </message>
+    <message>
+        <source>M&amp;ove</source>
+        <translation>&amp;Bewegen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>ShapeSources</name>
+    <message>
+        <source>Prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>Frustum</source>
+        <translation>Stumpf</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>&amp;Körper</translation>
+    </message>
+    <message>
+        <source>&amp;Template</source>
+        <translation>&amp;Vorlage</translation>
+    </message>
+    <message numerus="yes">
+        <source>over %n corner(s)</source>
+        <translation>
+            <numerusform>über %n Ecke</numerusform>
+            <numerusform>über %n Ecken</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TemplateReport</name>
+    <message>
+        <source>Corner %1: %2</source>
+        <translation>Ecke %1: %2</translation>
+    </message>
+    <message>
+        <source>Face %1: %2</source>
+        <translation>Fläche %1: %2</translation>
+    </message>
+    <message>
+        <source>The template needs a name.</source>
+        <translation>Die Vorlage braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Another template has the id “%1”.</source>
+        <translation>Eine andere Vorlage hat die Kennung „%1“.</translation>
+    </message>
+    <message>
+        <source>The template needs an id, which names it in files.</source>
+        <translation>Die Vorlage braucht eine Kennung, die sie in Dateien benennt.</translation>
+    </message>
+    <message>
+        <source>Use “%1”</source>
+        <translation>„%1“ nehmen</translation>
+    </message>
+    <message>
+        <source>The edges %1 of this shape are not parallel.</source>
+        <translation>Die Kanten %1 dieser Form sind nicht parallel.</translation>
+    </message>
+    <message>
+        <source>The edges %1 of this shape are at no right angle.</source>
+        <translation>Die Kanten %1 dieser Form stehen nicht im rechten Winkel.</translation>
+    </message>
+    <message>
+        <source>The edges %1 of this shape are not equally long.</source>
+        <translation>Die Kanten %1 dieser Form sind nicht gleich lang.</translation>
+    </message>
+    <message>
+        <source>Drop the rule</source>
+        <translation>Regel weglassen</translation>
+    </message>
+    <message>
+        <source>“%1” has the same shape and the same rules: no drawing can tell the two apart.</source>
+        <translation>„%1“ hat dieselbe Form und dieselben Regeln: Keine Zeichnung kann die beiden unterscheiden.</translation>
+    </message>
+    <message>
+        <source>From no side it can be seen well enough to be drawn.</source>
+        <translation>Von keiner Seite ist sie gut genug zu sehen, um gezeichnet zu werden.</translation>
+    </message>
+    <message>
+        <source>This template</source>
+        <translation>Diese Vorlage</translation>
+    </message>
+</context>
+<context>
+    <name>ew::AspectList</name>
+    <message>
+        <source>from under 1 % of all sides</source>
+        <translation>von unter 1 % aller Seiten</translation>
+    </message>
+    <message>
+        <source>from %1 % of all sides</source>
+        <translation>von %1 % aller Seiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>opening of %n face(s)</source>
+        <translation>
+            <numerusform>Öffnung aus %n Fläche</numerusform>
+            <numerusform>Öffnung aus %n Flächen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>opening with what is seen through it</source>
+        <translation>Öffnung mit dem, was darin zu sehen ist</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s)</source>
+        <translation>
+            <numerusform>%n Fläche</numerusform>
+            <numerusform>%n Flächen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, others seen as lines</source>
+        <translation>%1, andere als Linien gesehen</translation>
+    </message>
+    <message>
+        <source>Views of the template</source>
+        <translation>Ansichten der Vorlage</translation>
+    </message>
+    <message>
+        <source>Drawn by itself</source>
+        <translation>Für sich gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawn on a solid</source>
+        <translation>Auf einem Körper gezeichnet</translation>
+    </message>
+    <message>
+        <source>also: %1</source>
+        <translation>auch: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not read there: it has too many edges.</source>
+        <translation>Dort nicht gelesen: Sie hat zu viele Kanten.</translation>
+    </message>
+    <message>
+        <source>from nearly all sides</source>
+        <translation>von fast allen Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>ew::FaultList</name>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>ew::NameForm</name>
+    <message>
+        <source>Na&amp;me</source>
+        <translation>Na&amp;me</translation>
+    </message>
+    <message>
+        <source>&amp;Id</source>
+        <translation>&amp;Kennung</translation>
+    </message>
+    <message>
+        <source>what people call it</source>
+        <translation>wie man sie nennt</translation>
+    </message>
+    <message>
+        <source>A template that is in use keeps its id.</source>
+        <translation>Eine Vorlage, die in Gebrauch ist, behält ihre Kennung.</translation>
+    </message>
+    <message>
+        <source>Names the template in files and scripts: small letters, digits and hyphens.</source>
+        <translation>Benennt die Vorlage in Dateien und Skripten: Kleinbuchstaben, Ziffern und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Set id</source>
+        <translation>Kennung ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ew::RuleList</name>
+    <message>
+        <source>Parallel: %1</source>
+        <translation>Parallel: %1</translation>
+    </message>
+    <message>
+        <source>Right angle: %1</source>
+        <translation>Rechter Winkel: %1</translation>
+    </message>
+    <message>
+        <source>Equally long: %1</source>
+        <translation>Gleich lang: %1</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>follows from the rules above</source>
+        <translation>folgt aus den Regeln darüber</translation>
+    </message>
+    <message>
+        <source>not true of this shape</source>
+        <translation>gilt für diese Form nicht</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ShapeView</name>
+    <message>
+        <source>Shape of the template</source>
+        <translation>Form der Vorlage</translation>
+    </message>
+    <message>
+        <source>Drag to turn it; click a corner or an edge</source>
+        <translation>Ziehen dreht sie; Ecken und Kanten lassen sich anklicken</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TemplateEditor</name>
+    <message>
+        <source>Edit template</source>
+        <translation>Vorlage bearbeiten</translation>
+    </message>
+    <message>
+        <source>New template</source>
+        <translation>Neue Vorlage</translation>
+    </message>
+    <message>
+        <source>&amp;Shape</source>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>T&amp;ry it</source>
+        <translation>Ausp&amp;robieren</translation>
+    </message>
+    <message>
+        <source>Shape &amp;from</source>
+        <translation>Form a&amp;us</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig:</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen:</translation>
+    </message>
+    <message>
+        <source>%1 of the corner</source>
+        <translation>%1 der Ecke</translation>
+    </message>
+    <message>
+        <source>Where the corner is in the reference shape</source>
+        <translation>Wo die Ecke in der Bezugsform liegt</translation>
+    </message>
+    <message>
+        <source>Found in this shape. Every instance keeps what is ticked.</source>
+        <translation>In dieser Form gefunden. Was angehakt ist, halten alle Körper der Vorlage ein.</translation>
+    </message>
+    <message>
+        <source>R&amp;ules</source>
+        <translation>R&amp;egeln</translation>
+    </message>
+    <message>
+        <source>&amp;About it</source>
+        <translation>An&amp;gaben</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve changes</source>
+        <translation>Än&amp;derungen übernehmen</translation>
+    </message>
+    <message>
+        <source>A&amp;dd to the document</source>
+        <translation>In das &amp;Dokument aufnehmen</translation>
+    </message>
+    <message>
+        <source>Corner %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>Edge %1, length %2; its rules are in bold.</source>
+        <translation>Kante %1, Länge %2; ihre Regeln sind fett.</translation>
+    </message>
+    <message>
+        <source>Drag to turn it; click a corner or an edge.</source>
+        <translation>Ziehen dreht sie; Ecken und Kanten lassen sich anklicken.</translation>
+    </message>
+    <message>
+        <source>All instances have the proportions of this shape.</source>
+        <translation>Alle Körper der Vorlage haben die Maßverhältnisse dieser Form.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n proportion(s) stay open; what a drawing does not tell is taken from this shape.</source>
+        <translation>
+            <numerusform>%n Maßverhältnis bleibt offen; was eine Zeichnung nicht zeigt, kommt aus dieser Form.</numerusform>
+            <numerusform>%n Maßverhältnisse bleiben offen; was eine Zeichnung nicht zeigt, kommt aus dieser Form.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at it from all sides…</source>
+        <translation>Wird von allen Seiten betrachtet …</translation>
+    </message>
+    <message>
+        <source>No views: the shape has to be mended first.</source>
+        <translation>Keine Ansichten: Erst muss die Form in Ordnung sein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s) that it is read from</source>
+        <translation>
+            <numerusform>%n Ansicht, aus der sie gelesen wird</numerusform>
+            <numerusform>%n Ansichten, aus denen sie gelesen wird</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set id</source>
+        <translation>Kennung ändern</translation>
+    </message>
+    <message>
+        <source>The template was changed.</source>
+        <translation>Die Vorlage wurde geändert.</translation>
+    </message>
+    <message>
+        <source>What you changed is lost when it is not saved.</source>
+        <translation>Die Änderungen gehen verloren, wenn sie nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Dis&amp;card</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on editing</source>
+        <translation>&amp;Weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>Mi&amp;x-ups</source>
+        <translation>Ver&amp;wechslungen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TemplateModel</name>
+    <message>
+        <source>Set rule</source>
+        <translation>Regel setzen</translation>
+    </message>
+    <message>
+        <source>Drop rule</source>
+        <translation>Regel weglassen</translation>
+    </message>
+    <message>
+        <source>Move corner %1</source>
+        <translation>Ecke %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Take another shape</source>
+        <translation>Andere Form nehmen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Clear drawing</source>
+        <translation>Zeichnung löschen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TrialCanvas</name>
+    <message>
+        <source>Sheet to try the template on</source>
+        <translation>Blatt zum Ausprobieren der Vorlage</translation>
+    </message>
+    <message>
+        <source>Draw the shape here from any side, with pen or mouse, and see what it is read as.</source>
+        <translation>Hier die Form von einer beliebigen Seite zeichnen, mit Stift oder Maus; darunter steht, als was sie gelesen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TrialPage</name>
+    <message>
+        <source>Clear the s&amp;heet</source>
+        <translation>&amp;Blatt leeren</translation>
+    </message>
+</context>
+<context>
+    <name>ew::TrialReading</name>
+    <message>
+        <source>It is read as this template.</source>
+        <translation>Es wird als diese Vorlage gelesen.</translation>
+    </message>
+    <message>
+        <source>It is read as “%1”, not as this template.</source>
+        <translation>Es wird als „%1“ gelesen, nicht als diese Vorlage.</translation>
+    </message>
+    <message>
+        <source>It is most likely this template, but that is not certain.</source>
+        <translation>Es ist am ehesten diese Vorlage, aber das ist nicht sicher.</translation>
+    </message>
+    <message>
+        <source>It could be this template, but another one is more likely.</source>
+        <translation>Es könnte diese Vorlage sein, aber eine andere ist wahrscheinlicher.</translation>
+    </message>
+    <message>
+        <source>No template shows this.</source>
+        <translation>Keine Vorlage zeigt das.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::WordsForm</name>
+    <message>
+        <source>D&amp;escription</source>
+        <translation>Bes&amp;chreibung</translation>
+    </message>
+    <message>
+        <source>Describe</source>
+        <translation>Beschreiben</translation>
+    </message>
+    <message>
+        <source>Categor&amp;y</source>
+        <translation>Ar&amp;t</translation>
+    </message>
+    <message>
+        <source>Set category</source>
+        <translation>Art ändern</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Set tags</source>
+        <translation>Schlagwörter ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Tags</source>
+        <translation>&amp;Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Auth&amp;or</source>
+        <translation>Aut&amp;or</translation>
+    </message>
+    <message>
+        <source>Set author</source>
+        <translation>Autor ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Licence</source>
+        <translation>&amp;Lizenz</translation>
+    </message>
+    <message>
+        <source>Set licence</source>
+        <translation>Lizenz ändern</translation>
+    </message>
+    <message>
+        <source>Versio&amp;n</source>
+        <translation>Versio&amp;n</translation>
+    </message>
+    <message>
+        <source>Set version</source>
+        <translation>Version ändern</translation>
+    </message>
+    <message>
+        <source>In another language</source>
+        <translation>In einer anderen Sprache</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Name there</source>
+        <translation>Name dort</translation>
+    </message>
+    <message>
+        <source>Description there</source>
+        <translation>Beschreibung dort</translation>
+    </message>
+    <message>
+        <source>Translate name</source>
+        <translation>Namen übersetzen</translation>
+    </message>
+    <message>
+        <source>Translate description</source>
+        <translation>Beschreibung übersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ConfusionPage</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>What drawings are read as</source>
+        <translation>Als was Zeichnungen gelesen werden</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>read as it</source>
+        <translation>so gelesen</translation>
+    </message>
+    <message>
+        <source>asked about</source>
+        <translation>nachgefragt</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message>
+        <source>read as another</source>
+        <translation>als andere gelesen</translation>
+    </message>
+    <message>
+        <source>This template</source>
+        <translation>Diese Vorlage</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w them</source>
+        <translation>&amp;Zeichnen lassen</translation>
+    </message>
+    <message>
+        <source>Drawings are made and read…</source>
+        <translation>Zeichnungen werden gemacht und gelesen …</translation>
+    </message>
+    <message>
+        <source>A model of a light hand draws this template, and those that look the same from somewhere, %1 times each from random sides, and all are read.</source>
+        <translation>Ein Modell einer leichten Hand zeichnet diese Vorlage und die, die von irgendwo gleich aussehen, je %1-mal von zufälligen Seiten; alle Zeichnungen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>The template was changed since these were drawn.</source>
+        <translation>Die Vorlage wurde geändert, seit diese gezeichnet wurden.</translation>
+    </message>
+    <message>
+        <source>Of %1 drawings of each.</source>
+        <translation>Von je %1 Zeichnungen.</translation>
     </message>
 </context>
 </TS>

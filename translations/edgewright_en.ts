@@ -182,4 +182,55 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ShapeSources</name>
+    <message numerus="yes">
+        <source>over %n corner(s)</source>
+        <translation>
+            <numerusform>over %n corner</numerusform>
+            <numerusform>over %n corners</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::AspectList</name>
+    <message numerus="yes">
+        <source>opening of %n face(s)</source>
+        <translation>
+            <numerusform>opening of %n face</numerusform>
+            <numerusform>opening of %n faces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s)</source>
+        <translation>
+            <numerusform>%n face</numerusform>
+            <numerusform>%n faces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::TemplateEditor</name>
+    <message numerus="yes">
+        <source>%n proportion(s) stay open; what a drawing does not tell is taken from this shape.</source>
+        <translation>
+            <numerusform>%n proportion stays open; what a drawing does not tell is taken from this shape.</numerusform>
+            <numerusform>%n proportions stay open; what a drawing does not tell is taken from this shape.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s) that it is read from</source>
+        <translation>
+            <numerusform>%n view that it is read from</numerusform>
+            <numerusform>%n views that it is read from</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

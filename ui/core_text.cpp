@@ -13,6 +13,7 @@
 #include "core/base/words.h"
 #include "ui/file_sentences.h"
 #include "ui/lesson/class_sentences.h"
+#include "ui/template_names.h"
 
 namespace ew {
 
@@ -188,6 +189,18 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "There is no solid to delete."),
     QT_TRANSLATE_NOOP("Core", "There is no solid to export yet."),
     QT_TRANSLATE_NOOP("Core", "There is no solid to make a template from."),
+    QT_TRANSLATE_NOOP("Core", "a template has 4 to 64 vertices, not %1."),
+    QT_TRANSLATE_NOOP("Core", "The solid cuts through itself."),
+    QT_TRANSLATE_NOOP("Core", "The faces of the solid point inwards."),
+    QT_TRANSLATE_NOOP("Core", "Faces %1 and %2 cut through or touch each other."),
+    QT_TRANSLATE_NOOP("Core", "coordinates must be finite and at most 1000000."),
+    QT_TRANSLATE_NOOP("Core", "edges %1 and %2 are parallel too; they cannot be both."),
+    QT_TRANSLATE_NOOP("Core", "edge %1 runs against its own class."),
+    QT_TRANSLATE_NOOP("Core", "vertex %1 is off the face's plane."),
+    QT_TRANSLATE_NOOP("Core", "edge %1 has no length."),
+    QT_TRANSLATE_NOOP("Core", "the face has no area."),
+    QT_TRANSLATE_NOOP("Core", "the shape is too small."),
+    QT_TRANSLATE_NOOP("Core", "lies in one plane with face %1; make them one face."),
     QT_TRANSLATE_NOOP("Core", "A template's faces have no holes; this solid's have."),
     QT_TRANSLATE_NOOP("Core",
                       "This drawing cannot be read as that operation; let the program choose it."),
@@ -474,8 +487,9 @@ QString coreText(const std::string& english) {
     language = now;
     const QString text = QString::fromStdString(english);
     const auto found = known.constFind(text);
-    if (found != known.cend()) return *found;
-    return *known.insert(text, translated(text, false));
+    const QString said =
+        found != known.cend() ? *found : *known.insert(text, translated(text, false));
+    return said == text ? ownTemplateText(text) : said;
 }
 
 }  // namespace ew

@@ -8,8 +8,8 @@ namespace ew {
 
 /// A text of the core (a problem's sentence, a label, a note, the name of a shipped template) in
 /// the language of the window. The core speaks English and knows nothing of Qt, so its sentences
-/// are recognised by their wording; one that is not known stays English, as do the names that
-/// people gave their own templates.
+/// are recognised by their wording; one that is not known stays English. The names that people gave
+/// their own templates are told as ownTemplateText() has them.
 QString coreText(const std::string& english);
 
 /// A template's shape in a sentence about what was done, in the language of the window: "a box",

@@ -302,7 +302,7 @@ void MainWindow::buildPanels() {
     addPanel(tr("Thresholds"), QStringLiteral("thresholdPanel"),
              new ThresholdPanel(*document_, this), Qt::RightDockWidgetArea);
     auto* templates = new TemplatePanel(*document_, appearance_, this);
-    connect(templates, &TemplatePanel::addSolidRequested, sketches_, &SketchActions::addTemplate);
+    connect(templates, &TemplatePanel::editorWanted, sketches_, &SketchActions::editTemplate);
     addPanel(tr("T-LIB"), QStringLiteral("templatePanel"), scrolled(templates),
              Qt::LeftDockWidgetArea);
     auto* history = new HistoryPanel(*document_, appearance_, this);

@@ -197,7 +197,10 @@ class Document : public QObject {
     Result<ApplyOutcome> chooseReading(int candidate);
     /// Carries out a one-click repair on the pending strokes or thresholds.
     Result<void> repair(const Repair& repair);
-    Result<void> defineTemplate(Template tmpl);
+    /// \param replace  it takes the place of the document's own template of this id. Errors:
+    ///     BadTemplate, DuplicateId; UnknownTemplate where there is none to replace, or only one
+    ///     that does not belong to the document.
+    Result<void> defineTemplate(Template tmpl, bool replace = false);
     /// Adds the solid of the document as a template; relations are read off its geometry.
     Result<void> defineTemplateFromSolid(const std::string& id, const std::string& name);
     /// Removes every body (one undo step). Errc::NoSolid.

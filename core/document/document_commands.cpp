@@ -72,7 +72,7 @@ bool sameStroke(const MappedStroke& a, const MappedStroke& b) {
 }  // namespace
 
 void Document::Private::stateChanged(const DocumentState& before) {
-    if (before.addedTemplates != state->addedTemplates) emitChange(DocumentChange::Library);
+    if (!before.library.sharesDataWith(state->library)) emitChange(DocumentChange::Library);
     const bool sameBodies = before.bodies.size() == state->bodies.size() &&
                             std::equal(before.bodies.begin(), before.bodies.end(),
                                        state->bodies.begin(), [](const Body& a, const Body& b) {
@@ -377,26 +377,33 @@ Result<void> Document::repair(const Repair& repair) {
 namespace {
 
 Result<std::shared_ptr<const DocumentState>> withTemplate(const DocumentState& before,
-                                                          const Template& tmpl) {
-    auto library = before.library.with(tmpl);
+                                                          const Template& tmpl, bool replace) {
+    const auto& own = before.addedTemplates;
+    if (replace && std::find(own.begin(), own.end(), tmpl.id) == own.end()) {
+        return fail(Errc::UnknownTemplate, "This document has no template of its own with the id " +
+                                               nameQuoted(tmpl.id) + ".");
+    }
+    auto library = replace ? before.library.withReplaced(tmpl) : before.library.with(tmpl);
     if (!library) return fail(library.error());
     auto after = std::make_shared<DocumentState>(before);
     after->library = *std::move(library);
-    after->addedTemplates.push_back(tmpl.id);
+    if (!replace) after->addedTemplates.push_back(tmpl.id);
     return std::shared_ptr<const DocumentState>(std::move(after));
 }
 
-QString defineName(const std::string& name) {
-    return QStringLiteral("Define template \u201c%1\u201d").arg(QString::fromStdString(name));
+QString defineName(const std::string& name, bool replace) {
+    const QString step = replace ? QStringLiteral("Change template \u201c%1\u201d")
+                                 : QStringLiteral("Define template \u201c%1\u201d");
+    return step.arg(QString::fromStdString(name));
 }
 
 }  // namespace
 
-Result<void> Document::defineTemplate(Template tmpl) {
-    auto after = withTemplate(*d_->state, tmpl);
+Result<void> Document::defineTemplate(Template tmpl, bool replace) {
+    auto after = withTemplate(*d_->state, tmpl, replace);
     if (!after) return fail(after.error());
-    const QString name = defineName(tmpl.name);
-    DefineTemplateStep step{tmpl.id, tmpl.name, std::nullopt};
+    const QString name = defineName(tmpl.name, replace);
+    DefineTemplateStep step{tmpl.id, tmpl.name, std::nullopt, replace};
     step.tmpl = std::move(tmpl);
     d_->record(std::move(step));
     d_->push(name, *std::move(after), {});
@@ -406,10 +413,10 @@ Result<void> Document::defineTemplate(Template tmpl) {
 Result<void> Document::defineTemplateFromSolid(const std::string& id, const std::string& name) {
     auto tmpl = templateFromBodies(d_->state->bodies, id, name);
     if (!tmpl) return fail(tmpl.error());
-    auto after = withTemplate(*d_->state, *tmpl);
+    auto after = withTemplate(*d_->state, *tmpl, false);
     if (!after) return fail(after.error());
     d_->record(DefineTemplateStep{id, name, std::nullopt});
-    d_->push(defineName(name), *std::move(after), {});
+    d_->push(defineName(name, false), *std::move(after), {});
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/document/store.h"
+#include "core/tlib/template_io.h"
 
 namespace ew {
 
@@ -27,7 +28,16 @@ bool identicalStates(const DocumentState& a, const DocumentState& b) {
         return x.solid.identicalTo(y.solid) && x.pose.rotation == y.pose.rotation &&
                x.pose.translation == y.pose.translation && x.name == y.name && x.hidden == y.hidden;
     };
-    return a.addedTemplates == b.addedTemplates && a.surface == b.surface && a.mirror == b.mirror &&
+    const auto sameTemplate = [&](const std::string& id) {
+        const int x = a.library.find(id);
+        const int y = b.library.find(id);
+        return x >= 0 && y >= 0 &&
+               writeTemplate(a.library.at(static_cast<std::size_t>(x))) ==
+                   writeTemplate(b.library.at(static_cast<std::size_t>(y)));
+    };
+    return a.addedTemplates == b.addedTemplates &&
+           std::all_of(a.addedTemplates.begin(), a.addedTemplates.end(), sameTemplate) &&
+           a.surface == b.surface && a.mirror == b.mirror &&
            std::equal(a.mapped.begin(), a.mapped.end(), b.mapped.begin(), b.mapped.end(),
                       sameMapped) &&
            std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), sameBody);

@@ -103,7 +103,7 @@ class StepRunner {
     }
     Result<void> operator()(const UnmapStrokesStep&) { return document_.unmapStrokes(); }
     Result<void> operator()(const DefineTemplateStep& s) {
-        if (s.tmpl) return document_.defineTemplate(*s.tmpl);
+        if (s.tmpl) return document_.defineTemplate(*s.tmpl, s.replace);
         return document_.defineTemplateFromSolid(s.id, s.name);
     }
     Result<void> operator()(const DeleteSolidStep&) { return document_.deleteBodies(); }

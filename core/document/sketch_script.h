@@ -81,6 +81,7 @@ struct UnmapStrokesStep {};
 struct DefineTemplateStep {
     std::string id, name;
     std::optional<Template> tmpl;  ///< not set: from the solid
+    bool replace = false;          ///< takes the place of the document's own template of this id
 };
 struct UndoStep {
     int count = 1;

@@ -181,7 +181,7 @@ Template readInlineTemplate(json object, const DefineTemplateStep& step, const s
 }
 
 ScriptStep readDefineTemplate(const ObjectReader& step) {
-    step.allowOnly({"do", "id", "name", "from", "template"});
+    step.allowOnly({"do", "id", "name", "from", "template", "replace"});
     DefineTemplateStep define;
     define.id = readString(step.require("id"), step.at("id"));
     define.name = readString(step.require("name"), step.at("name"));
@@ -196,6 +196,8 @@ ScriptStep readDefineTemplate(const ObjectReader& step) {
         }
     } else if (tmpl != nullptr) {
         define.tmpl = readInlineTemplate(*tmpl, define, step.at("template"));
+        const json* replace = step.find("replace");
+        define.replace = replace != nullptr && boolFromJson(*replace, step.at("replace"));
     } else {
         throwRead(Errc::MissingKey, step.place() + ": the key \"from\" or \"template\" is missing");
     }

@@ -120,6 +120,7 @@ std::string body(const DefineTemplateStep& s) {
     if (s.tmpl) {
         // One step a line: the template's own line breaks go.
         put(out, "template", nlohmann::ordered_json::parse(writeTemplate(*s.tmpl)).dump());
+        if (s.replace) put(out, "replace", "true");
     } else {
         put(out, "from", "\"solid\"");
     }

@@ -14,6 +14,7 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("ew::Document", "Cut %1"),
     QT_TRANSLATE_NOOP("ew::Document", "Create %1"),
     QT_TRANSLATE_NOOP("ew::Document", "Define template \u201c%1\u201d"),
+    QT_TRANSLATE_NOOP("ew::Document", "Change template \u201c%1\u201d"),
     QT_TRANSLATE_NOOP("ew::Document", "Delete solid"),
     QT_TRANSLATE_NOOP("ew::Document", "Cut in two"),
     QT_TRANSLATE_NOOP("ew::Document", "Pull face"),

@@ -27,7 +27,34 @@ Result<TemplateLibrary> TemplateLibrary::withAll(std::vector<Template> templates
             return fail(Errc::DuplicateId,
                         "There is already a template with the id \"" + t.id + "\".");
         }
-        addToIndex(*index, std::move(t));
+        addEntry(*index, makeEntry(std::move(t)));
+    }
+    TemplateLibrary out;
+    out.index_ = std::move(index);
+    return out;
+}
+
+Result<TemplateLibrary> TemplateLibrary::withReplaced(Template tmpl) const {
+    const int place = find(tmpl.id);
+    if (place < 0) {
+        return fail(Errc::UnknownTemplate, "There is no template \"" + tmpl.id + "\".");
+    }
+    if (auto ok = checkTemplate(tmpl, tmpl.id); !ok) return fail(ok.error());
+    auto index = std::make_shared<LibraryIndex>();
+    for (std::size_t i = 0; i < size(); ++i) {
+        const bool here = i == static_cast<std::size_t>(place);
+        addEntry(*index, here ? makeEntry(std::move(tmpl)) : index_->entries[i]);
+    }
+    TemplateLibrary out;
+    out.index_ = std::move(index);
+    return out;
+}
+
+TemplateLibrary TemplateLibrary::without(std::string_view id) const {
+    if (find(id) < 0) return *this;
+    auto index = std::make_shared<LibraryIndex>();
+    for (const auto& entry : index_->entries) {
+        if (entry->tmpl.id != id) addEntry(*index, entry);
     }
     TemplateLibrary out;
     out.index_ = std::move(index);

@@ -25,6 +25,14 @@ class TemplateLibrary {
     /// Many at once (linear in their number). All or nothing.
     Result<TemplateLibrary> withAll(std::vector<Template> templates) const;
 
+    /// The library with this template in the place of the one with its id. Errc::UnknownTemplate
+    /// where there is none, Errc::BadTemplate.
+    Result<TemplateLibrary> withReplaced(Template tmpl) const;
+    /// The library without a template; itself where it has none of this id.
+    TemplateLibrary without(std::string_view id) const;
+    /// Is it the same library, or a copy of it?
+    bool sharesDataWith(const TemplateLibrary& other) const { return index_ == other.index_; }
+
     std::size_t size() const;
     const Template& at(std::size_t i) const;
     /// Index of a template, -1 where there is none.

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -48,8 +49,21 @@ struct LazyIndex {
 /// \paper{4.2.2}
 const LibraryIndex& onSolidIndex(const LibraryIndex& index);
 
-/// Derives the aspects of a checked template and adds it.
-void addToIndex(LibraryIndex& index, Template tmpl);
+/// What follows from a checked template, with its explicit aspects.
+std::shared_ptr<const LibraryEntry> makeEntry(Template tmpl);
+
+/// Adds what makeEntry() gave.
+void addEntry(LibraryIndex& index, std::shared_ptr<const LibraryEntry> entry);
+
+/// The entry with its implicit aspects in addition and without those seen edge-on, as
+/// onSolidIndex() has it.
+std::shared_ptr<const LibraryEntry> entryOnSolid(const LibraryEntry& entry);
+
+/// What an aspect shows in terms of template vertices, mapped by a symmetry: equal where the two
+/// are one to somebody who looks. Sets of {vertex, vertex, edge}, -1 for the end of a T.
+using ShownEdges = std::set<std::array<int, 3>>;
+ShownEdges shownEdges(const Aspect& aspect, const TemplateAnalysis& analysis,
+                      const std::vector<int>& symmetry);
 
 /// The aspect without one of its edges: what is left dangling by that is removed too, and a T
 /// junction that lost its stem is dissolved. Empty graph where nothing closed is left.

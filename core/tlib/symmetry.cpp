@@ -54,22 +54,24 @@ struct Flags {
     }
 };
 
-bool keepsRelations(const TemplateAnalysis& analysis, const std::vector<int>& map) {
-    std::vector<int> classMap(at(analysis.classCount), -1);
+/// Does a map of the vertices of `a` to those of `b` keep edges and relations?
+bool keepsRelations(const TemplateAnalysis& a, const TemplateAnalysis& b,
+                    const std::vector<int>& map) {
+    std::vector<int> classMap(at(a.classCount), -1);
     std::vector<int> edgeMap;
-    for (const AnalysedEdge& e : analysis.edges) {
-        const int image = analysis.edgeBetween(map[at(e.ends[0])], map[at(e.ends[1])]);
+    for (const AnalysedEdge& e : a.edges) {
+        const int image = b.edgeBetween(map[at(e.ends[0])], map[at(e.ends[1])]);
         if (image < 0) return false;
         edgeMap.push_back(image);
         int& c = classMap[at(e.directionClass)];
-        const int target = analysis.edges[at(image)].directionClass;
+        const int target = b.edges[at(image)].directionClass;
         if (c >= 0 && c != target) return false;
         c = target;
     }
     std::set<int> distinct(classMap.begin(), classMap.end());
     if (distinct.size() != classMap.size()) return false;
-    const auto& pairs = analysis.perpendicularClasses;
-    for (const auto& p : pairs) {
+    const auto& pairs = b.perpendicularClasses;
+    for (const auto& p : a.perpendicularClasses) {
         const auto m = std::minmax(classMap[at(p[0])], classMap[at(p[1])]);
         if (!std::binary_search(pairs.begin(), pairs.end(),
                                 std::array<int, 2>{m.first, m.second})) {
@@ -77,13 +79,41 @@ bool keepsRelations(const TemplateAnalysis& analysis, const std::vector<int>& ma
         }
     }
     std::set<std::set<int>> groups;
-    for (const auto& g : analysis.equalLength) groups.insert({g.begin(), g.end()});
-    for (const auto& g : analysis.equalLength) {
+    for (const auto& g : b.equalLength) groups.insert({g.begin(), g.end()});
+    for (const auto& g : a.equalLength) {
         std::set<int> image;
         for (const int e : g) image.insert(edgeMap[at(e)]);
         if (!groups.contains(image)) return false;
     }
     return true;
+}
+
+/// The map of vertices that takes the first flag of `a` to a flag of `b`; empty where there is
+/// none.
+std::vector<int> mapFrom(const Flags& a, const Flags& b, std::size_t vertexCount, int seed) {
+    std::vector<int> image(a.vertex.size(), -1);
+    std::vector<int> map(vertexCount, -1);
+    std::vector<int> stack{0};
+    image[0] = seed;
+    while (!stack.empty()) {
+        const int flag = stack.back();
+        stack.pop_back();
+        int& v = map[at(a.vertex[at(flag)])];
+        const int w = b.vertex[at(image[at(flag)])];
+        if (v >= 0 && v != w) return {};
+        v = w;
+        for (std::size_t m = 0; m < 3; ++m) {
+            const int to = a.move[at(flag)][m];
+            const int target = b.move[at(image[at(flag)])][m];
+            if (image[at(to)] < 0) {
+                image[at(to)] = target;
+                stack.push_back(to);
+            } else if (image[at(to)] != target) {
+                return {};
+            }
+        }
+    }
+    return map;
 }
 
 }  // namespace
@@ -92,32 +122,32 @@ std::vector<std::vector<int>> symmetries(const Template& tmpl, const TemplateAna
     const Flags flags(tmpl, analysis);
     std::vector<std::vector<int>> result;
     for (std::size_t seed = 0; seed < flags.vertex.size(); ++seed) {
-        std::vector<int> image(flags.vertex.size(), -1);
-        std::vector<int> map(tmpl.shape.vertices.size(), -1);
-        std::vector<int> stack{0};
-        image[0] = static_cast<int>(seed);
-        bool consistent = true;
-        while (!stack.empty() && consistent) {
-            const int flag = stack.back();
-            stack.pop_back();
-            int& v = map[at(flags.vertex[at(flag)])];
-            const int w = flags.vertex[at(image[at(flag)])];
-            consistent = v < 0 || v == w;
-            v = w;
-            for (std::size_t m = 0; m < 3 && consistent; ++m) {
-                const int to = flags.move[at(flag)][m];
-                const int target = flags.move[at(image[at(flag)])][m];
-                if (image[at(to)] < 0) {
-                    image[at(to)] = target;
-                    stack.push_back(to);
-                } else {
-                    consistent = image[at(to)] == target;
-                }
-            }
+        std::vector<int> map =
+            mapFrom(flags, flags, tmpl.shape.vertices.size(), static_cast<int>(seed));
+        if (!map.empty() && keepsRelations(analysis, analysis, map)) {
+            result.push_back(std::move(map));
         }
-        if (consistent && keepsRelations(analysis, map)) result.push_back(std::move(map));
     }
     return result;
+}
+
+bool areSame(const Template& a, const TemplateAnalysis& aKnown, const Template& b,
+             const TemplateAnalysis& bKnown) {
+    if (a.shape.vertices.size() != b.shape.vertices.size() ||
+        a.shape.faces.size() != b.shape.faces.size() ||
+        aKnown.edges.size() != bKnown.edges.size() || aKnown.classCount != bKnown.classCount ||
+        aKnown.perpendicularClasses.size() != bKnown.perpendicularClasses.size() ||
+        aKnown.equalLength.size() != bKnown.equalLength.size()) {
+        return false;
+    }
+    const Flags from(a, aKnown);
+    const Flags to(b, bKnown);
+    for (std::size_t seed = 0; seed < to.vertex.size(); ++seed) {
+        const std::vector<int> map =
+            mapFrom(from, to, a.shape.vertices.size(), static_cast<int>(seed));
+        if (!map.empty() && keepsRelations(aKnown, bKnown, map)) return true;
+    }
+    return false;
 }
 
 }  // namespace ew

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,24 @@ struct TemplateReading {
     TemplateRelations relations;  ///< held in addition to the template's own
 };
 
+/// Name and description in another language; what is empty is said in English.
+struct TemplateWords {
+    std::string name;
+    std::string description;
+    bool operator==(const TemplateWords&) const = default;
+};
+
+/// Who made a template, and how it is found among many. Reading never looks at it.
+struct TemplateAbout {
+    std::string category;           ///< one, e.g. "Buildings"
+    std::vector<std::string> tags;  ///< words to search for
+    std::string author;             ///< a person's name
+    std::string licence;            ///< an SPDX expression, or words
+    std::string version;            ///< of the template, in the author's own count
+    std::map<std::string, TemplateWords> inLanguage;  ///< by language code, e.g. "de", "pt-BR"
+    bool operator==(const TemplateAbout&) const = default;
+};
+
 /// A template of T-LIB: a 3D topology with its relations (docs/design.md, step 2).
 /// \paper{4.2}
 struct Template {
@@ -40,6 +59,7 @@ struct Template {
     PolyhedronSpec shape;     ///< the reference shape: the most regular instance
     TemplateRelations relations;
     std::vector<TemplateReading> readings;  ///< besides the default, the most regular one
+    TemplateAbout about;
 };
 
 }  // namespace ew

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxIdLength = 64;
 constexpr std::size_t kMaxTextLength = 500;
+constexpr std::size_t kMaxTags = 32;
+constexpr std::size_t kMaxLanguages = 64;
 
 /// Makes the error of a failed check at a JSON path of a source.
 class Checker {
@@ -55,11 +57,61 @@ Result<void> checkText(const Checker& check, const std::string& path, const std:
     return {};
 }
 
+/// "de", "pt-BR", "zh-Hant"
+bool isLanguage(const std::string& code) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    std::size_t i = 0;
+    while (i < code.size() && code[i] >= 'a' && code[i] <= 'z') ++i;
+    if (i < 2 || i > 3) return false;
+    if (i == code.size()) return true;
+    const std::string rest = code.substr(i + 1);
+    return code[i] == '-' && rest.size() >= 2 && rest.size() <= 8 &&
+           std::all_of(rest.begin(), rest.end(),
+                       [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+Result<void> checkAbout(const Checker& check, const TemplateAbout& about) {
+    if (auto ok = checkText(check, "/category", about.category); !ok) return ok;
+    if (auto ok = checkText(check, "/author", about.author); !ok) return ok;
+    if (auto ok = checkText(check, "/licence", about.licence); !ok) return ok;
+    if (auto ok = checkText(check, "/template_version", about.version); !ok) return ok;
+    if (about.tags.size() > kMaxTags) {
+        return check.bad("/tags", "a template has at most " + std::to_string(kMaxTags) + " tags.");
+    }
+    for (std::size_t i = 0; i < about.tags.size(); ++i) {
+        const std::string path = at("/tags", i);
+        const std::string& tag = about.tags[i];
+        if (tag.empty()) return check.bad(path, "a tag has a letter at least.");
+        if (auto ok = checkText(check, path, tag); !ok) return ok;
+        const auto here = about.tags.begin() + static_cast<std::ptrdiff_t>(i);
+        if (std::find(about.tags.begin(), here, tag) != here) {
+            return check.bad(path, "\"" + tag + "\" stands twice.");
+        }
+    }
+    if (about.inLanguage.size() > kMaxLanguages) {
+        return check.bad("/languages", "a template speaks at most " +
+                                           std::to_string(kMaxLanguages) + " languages.");
+    }
+    for (const auto& [code, words] : about.inLanguage) {
+        const std::string path = "/languages/" + code;
+        if (!isLanguage(code)) {
+            return check.bad(path, "a language is a code such as \"de\" or \"pt-BR\".");
+        }
+        if (words.name.empty() && words.description.empty()) {
+            return check.bad(path, "says nothing.");
+        }
+        if (auto ok = checkText(check, path + "/name", words.name); !ok) return ok;
+        if (auto ok = checkText(check, path + "/description", words.description); !ok) return ok;
+    }
+    return {};
+}
+
 Result<void> checkNames(const Checker& check, const Template& t) {
     if (auto ok = checkId(check, "/id", t.id); !ok) return ok;
     if (t.name.empty()) return check.bad("/name", "a template needs a name.");
     if (auto ok = checkText(check, "/name", t.name); !ok) return ok;
     if (auto ok = checkText(check, "/description", t.description); !ok) return ok;
+    if (auto ok = checkAbout(check, t.about); !ok) return ok;
     // Candidates name their reading; these two names are taken by the program itself.
     std::set<std::string> seen{"default", "oblique"};
     for (std::size_t i = 0; i < t.readings.size(); ++i) {

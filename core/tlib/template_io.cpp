@@ -239,6 +239,43 @@ Result<TemplateReading> readReading(const Json& json, const Place& at) {
     return out;
 }
 
+/// A text under a key, empty where there is none.
+Result<void> readTextIf(const Json& json, const Place& at, const char* key, std::string& out) {
+    if (!json.contains(key)) return {};
+    auto text = readText(json[key], at / key);
+    if (!text) return fail(text.error());
+    out = std::move(*text);
+    return {};
+}
+
+Result<void> readLanguages(const Json& json, const Place& at, TemplateAbout& out) {
+    if (!json.is_object()) return fail(Errc::WrongType, at.say("must be an object."));
+    for (const auto& item : json.items()) {
+        const Place here = at / item.key();
+        if (auto ok = checkKeys(item.value(), here, {}, {"name", "description"}); !ok) return ok;
+        TemplateWords& words = out.inLanguage[item.key()];
+        if (auto ok = readTextIf(item.value(), here, "name", words.name); !ok) return ok;
+        if (auto ok = readTextIf(item.value(), here, "description", words.description); !ok) {
+            return ok;
+        }
+    }
+    return {};
+}
+
+Result<void> readAbout(const Json& json, const Place& root, TemplateAbout& out) {
+    if (auto ok = readTextIf(json, root, "category", out.category); !ok) return ok;
+    if (auto ok = readTextIf(json, root, "author", out.author); !ok) return ok;
+    if (auto ok = readTextIf(json, root, "licence", out.licence); !ok) return ok;
+    if (auto ok = readTextIf(json, root, "template_version", out.version); !ok) return ok;
+    if (json.contains("tags")) {
+        auto tags = readArray<std::string>(json["tags"], root / "tags", "texts", readText);
+        if (!tags) return fail(tags.error());
+        out.tags = std::move(*tags);
+    }
+    if (!json.contains("languages")) return {};
+    return readLanguages(json["languages"], root / "languages", out);
+}
+
 Result<void> readHeader(const Json& json, const Place& root) {
     if (!json.is_object()) return fail(Errc::WrongFormat, root.say("must be an object."));
     if (!json.contains("format") || json["format"] != "edgewright-template") {
@@ -275,7 +312,8 @@ Result<void> readShape(const Json& json, const Place& root, PolyhedronSpec& shap
 Result<Template> readBody(const Json& json, const Place& root) {
     if (auto ok = readHeader(json, root); !ok) return fail(ok.error());
     if (auto ok = checkKeys(json, root, {"format", "version", "id", "name", "vertices", "faces"},
-                            {"description", "relations", "readings"});
+                            {"description", "relations", "readings", "category", "tags", "author",
+                             "licence", "template_version", "languages"});
         !ok) {
         return fail(ok.error());
     }
@@ -286,11 +324,10 @@ Result<Template> readBody(const Json& json, const Place& root) {
     auto name = readText(json["name"], root / "name");
     if (!name) return fail(name.error());
     out.name = std::move(*name);
-    if (json.contains("description")) {
-        auto description = readText(json["description"], root / "description");
-        if (!description) return fail(description.error());
-        out.description = std::move(*description);
+    if (auto ok = readTextIf(json, root, "description", out.description); !ok) {
+        return fail(ok.error());
     }
+    if (auto ok = readAbout(json, root, out.about); !ok) return fail(ok.error());
     if (auto ok = readShape(json, root, out.shape); !ok) return fail(ok.error());
     if (json.contains("relations")) {
         auto relations = readRelations(json["relations"], root / "relations");
@@ -377,6 +414,32 @@ std::string readingText(const TemplateReading& r) {
            "\"relations\": " + relationsText(r.relations, indent) + "\n    }";
 }
 
+std::string aboutText(const TemplateAbout& a) {
+    std::string out;
+    const auto put = [&out](const char* key, const std::string& value) {
+        if (!value.empty()) out += "  \"" + std::string(key) + "\": " + quoted(value) + ",\n";
+    };
+    put("category", a.category);
+    if (!a.tags.empty()) out += "  \"tags\": " + list(a.tags, quoted) + ",\n";
+    put("author", a.author);
+    put("licence", a.licence);
+    put("template_version", a.version);
+    if (a.inLanguage.empty()) return out;
+    const auto language = [](const auto& entry) {
+        std::string words;
+        const TemplateWords& w = entry.second;
+        if (!w.name.empty()) words = "\"name\": " + quoted(w.name);
+        if (!w.description.empty()) {
+            words += (words.empty() ? "" : ", ") + ("\"description\": " + quoted(w.description));
+        }
+        return quoted(entry.first) + ": {" + words + "}";
+    };
+    std::string members = lines(a.inLanguage, "  ", language);
+    members.front() = '{';
+    members.back() = '}';
+    return out + "  \"languages\": " + members + ",\n";
+}
+
 }  // namespace
 
 Result<Template> readTemplate(std::string_view json, const std::string& source) {
@@ -399,6 +462,7 @@ std::string writeTemplate(const Template& t) {
     std::string out = "{\n  \"format\": \"edgewright-template\",\n  \"version\": 1,\n";
     out += "  \"id\": " + quoted(t.id) + ",\n  \"name\": " + quoted(t.name) + ",\n";
     if (!t.description.empty()) out += "  \"description\": " + quoted(t.description) + ",\n";
+    out += aboutText(t.about);
     out += "  \"vertices\": " + lines(t.shape.vertices, "  ", point) + ",\n";
     out += "  \"faces\": " + lines(t.shape.faces, "  ", face);
     const TemplateRelations& r = t.relations;

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryDir>
 #include <QUndoStack>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "core/document/document_compare.h"
 #include "core/document/replay.h"
 #include "tests/document/fixtures.h"
 
@@ -391,6 +393,43 @@ TEST(Document, DefinesTemplatesFromAFileAndFromTheSolid) {
     draw(*d, 5);
     ASSERT_TRUE(d->apply());
     EXPECT_EQ(d->defineTemplateFromSolid("two", "Two").error().code, Errc::BadTemplate);
+}
+
+TEST(Document, ReplacesATemplateOfItsOwn) {
+    const auto d = fakeDocument();
+    ASSERT_TRUE(d->defineTemplate(test::boxTemplate("slab", "Slab")));
+    Template changed = test::boxTemplate("slab", "Plank");
+    changed.about.author = "A. Person";
+    Listener listener(*d);
+    ASSERT_TRUE(d->defineTemplate(changed, true));
+    EXPECT_TRUE(listener.take(DocumentChange::Library));
+    const auto name = [&] {
+        const TemplateLibrary& library = d->state().library;
+        return library.at(static_cast<std::size_t>(library.find("slab"))).name;
+    };
+    EXPECT_EQ(name(), "Plank");
+    EXPECT_EQ(d->undoStack().text(1), QString::fromUtf8("Change template \u201cPlank\u201d"));
+    EXPECT_EQ(d->state().addedTemplates, (std::vector<std::string>{"slab"}));
+    ASSERT_TRUE(d->undo());
+    EXPECT_EQ(name(), "Slab");
+    ASSERT_TRUE(d->redo());
+    // Neither what is not there nor what belongs to all documents.
+    EXPECT_EQ(d->defineTemplate(test::boxTemplate("new", "New"), true).error().code,
+              Errc::UnknownTemplate);
+    EXPECT_EQ(d->defineTemplate(test::boxTemplate("box", "Box"), true).error().code,
+              Errc::UnknownTemplate);
+    // A file keeps both versions, one for each state.
+    QTemporaryDir folder;
+    const QString path = folder.filePath("t.edgewright");
+    ASSERT_TRUE(d->save(path));
+    const auto again = fakeDocument();
+    ASSERT_TRUE(again->open(path));
+    EXPECT_TRUE(identicalDocuments(*d, *again));
+    ASSERT_TRUE(again->undo());
+    EXPECT_EQ(again->state()
+                  .library.at(static_cast<std::size_t>(again->state().library.find("slab")))
+                  .name,
+              "Slab");
 }
 
 TEST(Document, DeletesTheSolidAsOneStep) {

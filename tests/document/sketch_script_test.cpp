@@ -99,6 +99,17 @@ TEST(SketchScript, KeepsAnInlineTemplate) {
     EXPECT_EQ(writeSketchScript(*read), text);
 }
 
+TEST(SketchScript, KeepsThatATemplateIsReplaced) {
+    SketchScript script;
+    script.steps.emplace_back(
+        DefineTemplateStep{"slab", "Slab", test::boxTemplate("slab", "Slab"), true});
+    const std::string text = writeSketchScript(script);
+    const auto read = readSketchScript(text);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(std::get<DefineTemplateStep>(read->steps[0]).replace);
+    EXPECT_EQ(writeSketchScript(*read), text);
+}
+
 TEST(SketchScript, InlineTemplateMayLeaveOutWhatTheStepSays) {
     const auto read = readSketchScript(withSteps(
         R"({"do": "define_template", "id": "tet", "name": "Tet", "template": {

@@ -209,6 +209,46 @@ TEST_F(TemplateProgram, PacksAndListsAspects) {
     EXPECT_NE(out_.find("explicit-3"), std::string::npos) << out_;
 }
 
+TEST_F(TemplateProgram, ConvertsMeshesAndScripts) {
+    // A box of two triangles a side.
+    std::string obj;
+    for (int i = 0; i < 8; ++i) {
+        obj += "v " + std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " +
+               std::to_string(i >> 2) + "\n";
+    }
+    const std::vector<std::array<int, 4>> sides{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& [a, b, c, d] : sides) {
+        for (const auto& [p, q, r] : {std::array{a, b, c}, std::array{a, c, d}}) {
+            obj += "f " + std::to_string(p + 1) + " " + std::to_string(q + 1) + " " +
+                   std::to_string(r + 1) + "\n";
+        }
+    }
+    put("My box.obj", obj);
+    EXPECT_EQ(run({"convert", "My box.obj", "--out", "box.json"}), 0) << err_ << out_;
+    const auto bytes = readFileBytes(folder_.filePath("box.json"), 1U << 20U);
+    ASSERT_TRUE(bytes);
+    const auto box = readTemplate(*bytes, "box.json");
+    ASSERT_TRUE(box) << box.error().message;
+    EXPECT_EQ(box->id, "my-box");
+    EXPECT_EQ(box->name, "My box");
+    EXPECT_EQ(box->shape.vertices.size(), 8U);
+    EXPECT_EQ(box->relations.parallel.size(), 3U);
+    EXPECT_EQ(box->relations.perpendicular.size(), 3U);
+
+    const QString script = QStringLiteral(EDGEWRIGHT_SOURCE_DIR "/resources/examples/cube.json");
+    EXPECT_EQ(run({"convert", script, "--out", "cube.json", "--name", "Die", "--id", "die"}), 0)
+        << err_ << out_;
+    EXPECT_EQ(run({"check", "cube.json", "box.json"}), 0) << out_;
+
+    put("open.obj", obj.substr(0, obj.rfind("f ")));
+    EXPECT_EQ(run({"convert", "open.obj", "--out", "o.json"}), 1);
+    EXPECT_EQ(out_, "open.obj: /: The mesh is not closed.\n");
+    EXPECT_FALSE(QFile::exists(folder_.filePath("o.json")));
+    EXPECT_EQ(run({"convert", "open.obj"}), 2);
+    EXPECT_EQ(run({"convert", "gone.obj", "--out", "o.json"}), 2);
+}
+
 TEST_F(TemplateProgram, UnusableArgumentsAndFilesAreStatusTwo) {
     put("a.json", writeTemplate(test::boxTemplate("box-a", "A")));
     for (const QStringList& arguments :

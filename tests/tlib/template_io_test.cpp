@@ -52,6 +52,56 @@ TEST(TemplateIo, ShippedTemplatesAreReadAndWrittenBack) {
                                              "triangular-pyramid", "wedge-frustum"}));
 }
 
+Template withAbout() {
+    Template t = *readTemplate(textOf("cube.json"), "cube.json");
+    t.about = {"Boxes", {"crate", "b\xc3\xb6x"}, "A. Person", "CC0-1.0", "1.2", {}};
+    t.about.inLanguage["de"] = {"Quader", "Sechs Rechtecke."};
+    t.about.inLanguage["pt-BR"] = {"Caixa", ""};
+    return t;
+}
+
+TEST(TemplateIo, KeepsWhoMadeItAndOtherLanguages) {
+    const Template t = withAbout();
+    const std::string text = writeTemplate(t);
+    const auto read = readTemplate(text, "t");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->about, t.about);
+    EXPECT_EQ(writeTemplate(*read), text);
+}
+
+TEST(TemplateIo, RefusesBadWordsAboutATemplate) {
+    const auto messageFor = [](auto change) {
+        Template t = withAbout();
+        change(t.about);
+        const auto ok = checkTemplate(t, "t");
+        return ok ? std::string() : ok.error().message;
+    };
+    EXPECT_EQ(messageFor([](auto&) {}), "");
+    EXPECT_NE(messageFor([](auto& a) { a.tags.push_back("crate"); }).find("/tags/2"),
+              std::string::npos);
+    EXPECT_NE(messageFor([](auto& a) { a.tags.push_back(""); }).find("/tags/2"), std::string::npos);
+    EXPECT_NE(messageFor([](auto& a) { a.tags.resize(33, "x"); }).find("/tags"), std::string::npos);
+    EXPECT_NE(messageFor([](auto& a) { a.author = "a\nb"; }).find("/author"), std::string::npos);
+    EXPECT_NE(messageFor([](auto& a) { a.licence.assign(501, 'x'); }).find("/licence"),
+              std::string::npos);
+    for (const char* code : {"", "d", "German", "DE", "de-", "de-x", "de-123456789", "de_AT"}) {
+        EXPECT_NE(messageFor([&](auto& a) { a.inLanguage[code].name = "x"; }).find("/languages/"),
+                  std::string::npos)
+            << code;
+    }
+    EXPECT_NE(messageFor([](auto& a) { a.inLanguage["fr"] = {}; }).find("/languages/fr"),
+              std::string::npos);
+    EXPECT_EQ(
+        readTemplate(cubeWith("\"vertices\"", "\"tags\": \"a\", \"vertices\""), "t").error().code,
+        Errc::WrongType);
+    EXPECT_EQ(readTemplate(cubeWith("\"vertices\"",
+                                    "\"languages\": {\"de\": {\"title\": \"\"}}, \"vertices\""),
+                           "t")
+                  .error()
+                  .code,
+              Errc::UnknownKey);
+}
+
 TEST(TemplateIo, ReadsEverythingThatTheFileSays) {
     const auto prism = readTemplate(textOf("triangular-prism.json"), "triangular-prism.json");
     ASSERT_TRUE(prism) << prism.error().message;

@@ -8,10 +8,14 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QTabWidget>
 #include <QTranslator>
 #include <map>
 
+#include "core/tlib/family.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/template_editor/template_editor.h"
 
 namespace ew::test {
 namespace {
@@ -55,6 +59,22 @@ void checkWindow(const QMainWindow& window, const std::string& language) {
     expectUnique(texts, language);
 }
 
+void checkEditor(const TemplateEditor& editor, const std::string& language) {
+    QStringList texts;
+    for (const auto* label : editor.findChildren<QLabel*>()) {
+        if (label->buddy() != nullptr) texts << label->text();
+    }
+    for (const auto* button : editor.findChildren<QAbstractButton*>()) texts << button->text();
+    for (const auto* pages : editor.findChildren<QTabWidget*>()) {
+        for (int i = 0; i < pages->count(); ++i) texts << pages->tabText(i);
+    }
+    EXPECT_GE(texts.size(), 20);
+    expectUnique(texts, language + ", template editor");
+    for (const auto* button : editor.findChildren<QPushButton*>()) {
+        if (button->menu() != nullptr) checkMenu(*button->menu(), language);
+    }
+}
+
 TEST_F(Mnemonics, MeanOneThingInEveryLanguage) {
     const QStringList files = QDir(":/translations").entryList({"edgewright_*.qm"});
     ASSERT_GE(files.size(), 2);
@@ -66,6 +86,12 @@ TEST_F(Mnemonics, MeanOneThingInEveryLanguage) {
         MainWindow window(document().state().library, *appearance_,
                           MainWindowOptions{.remember = false, .workFolder = work.path()});
         checkWindow(window, file.toStdString());
+        for (const bool replaces : {false, true}) {
+            Template tmpl = familyTemplate(Family::Prism, 6);
+            const TemplateEditor editor(window.document(), *appearance_, std::move(tmpl), replaces,
+                                        &window);
+            checkEditor(editor, file.toStdString());
+        }
         QCoreApplication::removeTranslator(&translator);
     }
 }

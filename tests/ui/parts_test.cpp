@@ -6,7 +6,6 @@
 #include <QStyleOption>
 #include <numbers>
 
-#include "ui/dialogs/template_dialog.h"
 #include "ui/theme/colours.h"
 #include "ui/theme/outlined_style.h"
 #include "ui/viewport/camera_moves.h"
@@ -312,13 +311,6 @@ TEST(Colours, FieldsAreSeenInTheDark) {
     for (const QPoint& border : {QPoint(10, 2), QPoint(2, 10), QPoint(10, 17), QPoint(17, 10)}) {
         EXPECT_GE(contrastRatio(picture.pixelColor(border), darkColours().window), 3.0);
     }
-}
-
-TEST(TemplateDialogIds, AreWellFormed) {
-    EXPECT_EQ(TemplateDialog::idFromName("House with a roof"), "house-with-a-roof");
-    EXPECT_EQ(TemplateDialog::idFromName("  Ä 2. Würfel! "), "a-2-wurfel");
-    EXPECT_EQ(TemplateDialog::idFromName("---"), "");
-    EXPECT_LE(TemplateDialog::idFromName(QString(300, 'x')).size(), 64);
 }
 
 }  // namespace ew::test

@@ -6,16 +6,25 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <algorithm>
 
+#include "core/document/template_from_solid.h"
+#include "core/document/template_id.h"
+#include "core/tlib/family.h"
 #include "ui/actions/mirror_actions.h"
 #include "ui/apply_controller.h"
+#include "ui/body_selection.h"
 #include "ui/core_text.h"
-#include "ui/dialogs/template_dialog.h"
 #include "ui/live_reading.h"
 #include "ui/panels/message_bar.h"
+#include "ui/template_editor/template_editor.h"
 #include "ui/theme/themed_icon.h"
 
 namespace ew {
+
+namespace {
+constexpr int kFirstCorners = 6;
+}
 
 SketchActions::SketchActions(const WindowContext& context, QWidget* window)
     : QObject(window),
@@ -25,8 +34,7 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
       levelAction(new QAction(tr("Set new solids &level"), this)),
       context_(context),
       window_(window),
-      templateAction_(
-          new QAction(themedIcon("add-template"), tr("Add solid as &template\u2026"), this)) {
+      templateAction_(new QAction(themedIcon("add-template"), tr("&Template editor\u2026"), this)) {
     window->installEventFilter(this);
     applyAction->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
     applyAction->setToolTip(tr("Make a solid of the drawing (Enter)"));
@@ -45,7 +53,7 @@ SketchActions::SketchActions(const WindowContext& context, QWidget* window)
     connect(automaticAction, &QAction::toggled, &context_.apply, &ApplyController::setAutomatic);
     connect(&context_.apply, &ApplyController::automaticChanged, automaticAction,
             &QAction::setChecked);
-    connect(templateAction_, &QAction::triggered, this, &SketchActions::addTemplate);
+    connect(templateAction_, &QAction::triggered, this, [this] { editTemplate({}, true); });
     for (int i = 0; i < 9; ++i) {
         auto* action = new QAction(tr("Reading &%1").arg(i + 1), this);
         action->setShortcut(QKeySequence(QString::number(i + 1)));
@@ -103,21 +111,48 @@ void SketchActions::refresh() {
                             ? tr("Reading &%1: %2").arg(i + 1).arg(name)
                             : tr("Reading &%1: %2, %3").arg(i + 1).arg(name, reading));
     }
-    templateAction_->setEnabled(!context_.document.state().bodies.empty());
 }
 
-void SketchActions::addTemplate() {
+/// A solid that cannot be a template is no reason not to open: the editor offers other shapes.
+Result<Template> SketchActions::templateToBegin() const {
+    const auto& bodies = context_.document.state().bodies;
+    if (bodies.empty()) return familyTemplate(Family::Prism, kFirstCorners);
+    const std::vector<int>& chosen = context_.bodies.chosen();
+    const auto body = static_cast<std::size_t>(chosen.empty() ? 0 : chosen.front());
+    return templateFromBodies({bodies[body]}, {}, {});
+}
+
+void SketchActions::editTemplate(const QString& id, bool copy) {
     context_.messages.clearNotice();
-    TemplateDialog dialog(context_.document.state().library, window_);
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString name = dialog.name();
-    const auto added =
-        context_.document.defineTemplateFromSolid(dialog.id().toStdString(), name.toStdString());
-    if (added) {
-        context_.messages.showNotice(tr("%1 can be drawn from now on.").arg(name));
-    } else {
-        context_.messages.showError(added.error());
+    const DocumentState& state = context_.document.state();
+    const int place = state.library.find(id.toStdString());
+    const bool own = std::find(state.addedTemplates.begin(), state.addedTemplates.end(),
+                               id.toStdString()) != state.addedTemplates.end();
+    Result<Template> start =
+        place >= 0 ? state.library.at(static_cast<std::size_t>(place)) : templateToBegin();
+    if (!start) {
+        context_.messages.showError(start.error());
+        start = familyTemplate(Family::Prism, kFirstCorners);
     }
+    const bool replaces = place >= 0 && own && !copy;
+    if (place < 0) {
+        start->id = {};
+        start->name = {};
+    } else if (!replaces) {
+        const auto taken = [&](const std::string& wanted) {
+            return state.library.find(wanted) >= 0;
+        };
+        start->name = tr("Copy of %1").arg(coreText(start->name)).toStdString();
+        start->id = freeId(idFromName(start->name), taken);
+    }
+    auto* editor = new TemplateEditor(context_.document, context_.appearance, *std::move(start),
+                                      replaces, window_);
+    editor->setAttribute(Qt::WA_DeleteOnClose);
+    editor->setWindowModality(Qt::WindowModal);
+    connect(editor, &TemplateEditor::saved, this, [this](const QString& name) {
+        context_.messages.showNotice(tr("%1 can be drawn from now on.").arg(name));
+    });
+    editor->show();
 }
 
 }  // namespace ew

@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "core/tlib/template.h"
 #include "ui/window_context.h"
 
 class QAction;
@@ -19,8 +20,12 @@ class SketchActions : public QObject {
     SketchActions(const WindowContext& context, QWidget* window);
 
     void fill(QMenu* menu);
-    /// Asks for a name and adds the solid as a template.
-    void addTemplate();
+    /// Opens the template editor.
+    /// \param id    the template to begin with; empty: the chosen solid, else the first one, else a
+    ///     prism.
+    /// \param copy  a new template is made of it; one that the document does not own is copied
+    ///     anyway.
+    void editTemplate(const QString& id, bool copy);
 
     QAction* applyAction;
     QAction* automaticAction;
@@ -32,6 +37,7 @@ class SketchActions : public QObject {
 
   private:
     void refresh();
+    Result<Template> templateToBegin() const;
 
     WindowContext context_;
     QWidget* window_;

@@ -102,6 +102,25 @@ QString surfaceHelp() {
                            "already")}});
 }
 
+QString templateHelp() {
+    return QStringLiteral("<h3>%1</h3>").arg(Help::tr("Templates of your own")) +
+           rows({{Help::tr("Make one"),
+                  Help::tr("Sketch, Template editor: it begins with the solid; a template, or a "
+                           "prism, pyramid or frustum over any polygon, can take its place")},
+                 {Help::tr("Rules"),
+                  Help::tr("what is ticked holds for every drawing of it; point at a rule and its "
+                           "edges light up")},
+                 {Help::tr("Views"),
+                  Help::tr("from where it can be drawn, and which other template looks the same "
+                           "from there; a click turns the shape")},
+                 {Help::tr("Try it"),
+                  Help::tr("draw it on the sheet and see whether it is read, before it is added to "
+                           "the document; Mix-ups counts how often it would be taken for another")},
+                 {Help::tr("Change or copy one"),
+                  Help::tr("right click in the T-LIB panel; templates of the document are edited, "
+                           "all can be duplicated")}});
+}
+
 }  // namespace
 
 void showQuickHelp(QWidget* window) {
@@ -138,7 +157,7 @@ void showQuickHelp(QWidget* window) {
                   "Ctrl+Z: strokes and steps in the order in which they were made, and the stroke "
                   "under way; Ctrl+Shift+Z goes forward")}});
     showText(window, QStringLiteral("quickHelp"), Help::tr("Quick help"),
-             tour + surfaceHelp() + gestures, {560, 620});
+             tour + surfaceHelp() + templateHelp() + gestures, {560, 620});
 }
 
 void showShortcuts(QWidget* window, const QList<QAction*>& menus) {

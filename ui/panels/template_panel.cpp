@@ -4,6 +4,7 @@
 #include <QDesktopServices>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPixmap>
 #include <QPushButton>
 #include <QUrl>
@@ -13,6 +14,7 @@
 #include "core/document/document.h"
 #include "core/document/resources.h"
 #include "ui/core_text.h"
+#include "ui/template_names.h"
 #include "ui/theme/appearance.h"
 #include "ui/theme/themed_icon.h"
 #include "ui/viewport/solid_picture.h"
@@ -23,6 +25,7 @@ namespace {
 constexpr QSize kPicture(58, 48);
 // More than this are listed without a picture each.
 constexpr std::size_t kMostPictures = 200;
+constexpr int kIdRole = Qt::UserRole;
 }  // namespace
 
 TemplatePanel::TemplatePanel(Document& document, Appearance& appearance, QWidget* parent)
@@ -30,9 +33,7 @@ TemplatePanel::TemplatePanel(Document& document, Appearance& appearance, QWidget
       document_(document),
       appearance_(appearance),
       list_(new QListWidget(this)),
-      text_(new QLabel(this)),
-      add_(new QPushButton(themedIcon(QStringLiteral("add-template")),
-                           tr("Add solid as tem&plate\u2026"), this)) {
+      text_(new QLabel(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kMargin, metrics::kSpace, metrics::kMargin,
                                metrics::kMargin);
@@ -48,13 +49,24 @@ TemplatePanel::TemplatePanel(Document& document, Appearance& appearance, QWidget
     auto* open =
         new QPushButton(themedIcon(QStringLiteral("folder")), tr("Open template f&older"), this);
     open->setToolTip(tr("A template file that is put there is used from the next start on."));
-    add_->setToolTip(tr("The solid on screen becomes a shape that drawings can match."));
+    auto* add = new QPushButton(themedIcon(QStringLiteral("add-template")),
+                                tr("New tem&plate\u2026"), this);
+    add->setObjectName(QStringLiteral("newTemplate"));
+    add->setToolTip(
+        tr("The solid on screen, or a prism, pyramid or frustum, becomes a shape that drawings can "
+           "match."));
     layout->addWidget(list_, 1);
     layout->addWidget(text_);
-    layout->addWidget(add_);
+    layout->addWidget(add);
     layout->addWidget(open);
     connect(list_, &QListWidget::currentRowChanged, this, &TemplatePanel::describe);
-    connect(add_, &QPushButton::clicked, this, &TemplatePanel::addSolidRequested);
+    connect(add, &QPushButton::clicked, this, [this] { emit editorWanted({}, true); });
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(list_, &QListWidget::customContextMenuRequested, this, &TemplatePanel::showMenu);
+    connect(list_, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* item) {
+        const QString id = item->data(kIdRole).toString();
+        emit editorWanted(id, !isOwn(id));
+    });
     connect(open, &QPushButton::clicked, this, [] {
         if (const auto folder = ensurePersonalTemplateFolder()) {
             QDesktopServices::openUrl(QUrl::fromLocalFile(*folder));
@@ -63,17 +75,14 @@ TemplatePanel::TemplatePanel(Document& document, Appearance& appearance, QWidget
     connect(&appearance, &Appearance::changed, this, &TemplatePanel::refresh);
     connect(&document, &Document::changed, this, [this](DocumentChange what) {
         if (what == DocumentChange::Library) refresh();
-        if (what == DocumentChange::Bodies) {
-            add_->setEnabled(!document_.state().bodies.empty());
-        }
     });
-    add_->setEnabled(!document.state().bodies.empty());
     refresh();
 }
 
 void TemplatePanel::refresh() {
     const int row = std::max(0, list_->currentRow());
     const TemplateLibrary& library = document_.state().library;
+    learnTemplateNames(library);
     // A little off the isometric direction, where corners of a cube would fall on each other.
     OrthographicCamera camera;
     camera.direction = Vec3(-0.55, 1.0, -0.6).normalized();
@@ -81,6 +90,7 @@ void TemplatePanel::refresh() {
     for (std::size_t i = 0; i < library.size(); ++i) {
         const Template& t = library.at(i);
         auto* item = new QListWidgetItem(coreText(t.name), list_);
+        item->setData(kIdRole, QString::fromStdString(t.id));
         if (i >= kMostPictures) continue;
         const QPixmap picture = QPixmap::fromImage(solidPicture(
             t.shape, {}, camera, kPicture, devicePixelRatioF(), appearance_.colours()));
@@ -90,6 +100,31 @@ void TemplatePanel::refresh() {
     }
     list_->setCurrentRow(std::min(row, list_->count() - 1));
     describe();
+}
+
+bool TemplatePanel::isOwn(const QString& id) const {
+    const auto& own = document_.state().addedTemplates;
+    return std::find(own.begin(), own.end(), id.toStdString()) != own.end();
+}
+
+void TemplatePanel::showMenu(const QPoint& at) {
+    const QListWidgetItem* item = list_->itemAt(at);
+    if (item == nullptr) item = list_->currentItem();  // the menu key
+    if (item == nullptr) return;
+    const QString id = item->data(kIdRole).toString();
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    QAction* edit =
+        menu->addAction(tr("&Edit\u2026"), this, [this, id] { emit editorWanted(id, false); });
+    edit->setObjectName(QStringLiteral("editTemplate"));
+    edit->setEnabled(isOwn(id));
+    if (!edit->isEnabled()) {
+        edit->setToolTip(tr("Only templates of this document can be changed; duplicate this one."));
+    }
+    menu->addAction(tr("&Duplicate\u2026"), this, [this, id] { emit editorWanted(id, true); })
+        ->setObjectName(QStringLiteral("duplicateTemplate"));
+    menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
 void TemplatePanel::describe() {

@@ -5,7 +5,6 @@
 
 class QLabel;
 class QListWidget;
-class QPushButton;
 
 namespace ew {
 
@@ -20,17 +19,21 @@ class TemplatePanel : public QWidget {
     TemplatePanel(Document& document, Appearance& appearance, QWidget* parent = nullptr);
 
   signals:
-    void addSolidRequested();
+    /// The template editor, with a template to begin with or with none.
+    /// \param copy  a new template is to be made of it.
+    void editorWanted(const QString& id, bool copy);
 
   private:
     void refresh();
     void describe();
+    void showMenu(const QPoint& at);
+    /// Does the document own the template, so that it can be changed?
+    bool isOwn(const QString& id) const;
 
     Document& document_;
     Appearance& appearance_;
     QListWidget* list_;
     QLabel* text_;
-    QPushButton* add_;
 };
 
 }  // namespace ew

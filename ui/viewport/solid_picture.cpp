@@ -94,8 +94,14 @@ OrthographicCamera fitted(const PolyhedronSpec& spec, const Pose& pose,
 
 QImage solidPicture(const PolyhedronSpec& spec, const Pose& pose, const OrthographicCamera& camera,
                     QSize logicalSize, double devicePixelRatio, const ThemeColours& colours) {
-    const OrthographicCamera view = fitted(spec, pose, camera, logicalSize);
-    const QSize device = (QSizeF(logicalSize) * devicePixelRatio).toSize().expandedTo({1, 1});
+    return solidView(spec, pose, fitted(spec, pose, camera, logicalSize), devicePixelRatio,
+                     colours);
+}
+
+QImage solidView(const PolyhedronSpec& spec, const Pose& pose, const OrthographicCamera& view,
+                 double devicePixelRatio, const ThemeColours& colours) {
+    const QSize device =
+        (QSizeF(view.width, view.height) * devicePixelRatio).toSize().expandedTo({1, 1});
     QImage image = fillFaces(seenFaces(spec, pose, view), view, device, devicePixelRatio, colours);
     image.setDevicePixelRatio(devicePixelRatio);
     QPainter painter(&image);

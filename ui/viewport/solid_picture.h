@@ -17,4 +17,8 @@ namespace ew {
 QImage solidPicture(const PolyhedronSpec& spec, const Pose& pose, const OrthographicCamera& camera,
                     QSize logicalSize, double devicePixelRatio, const ThemeColours& colours);
 
+/// The same through a camera as it is, whose viewport is the picture.
+QImage solidView(const PolyhedronSpec& spec, const Pose& pose, const OrthographicCamera& camera,
+                 double devicePixelRatio, const ThemeColours& colours);
+
 }  // namespace ew
