@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/document/file_bytes.h"
-#include "core/hand/hand_model.h"
 #include "core/document/lesson/lesson_check.h"
+#include "core/hand/hand_model.h"
 #include "tests/lesson/shipped.h"
 
 namespace ew::test {

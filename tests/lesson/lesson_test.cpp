@@ -10,8 +10,8 @@
 #include <random>
 
 #include "core/document/file_bytes.h"
-#include "core/document/zip_file.h"
 #include "core/document/lesson/lesson_check.h"
+#include "core/document/zip_file.h"
 #include "tests/lesson/shipped.h"
 
 namespace ew::test {

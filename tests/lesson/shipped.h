@@ -5,8 +5,8 @@
 #include <QString>
 #include <vector>
 
-#include "core/document/resources.h"
 #include "core/document/lesson/lesson.h"
+#include "core/document/resources.h"
 #include "core/tlib/library.h"
 
 namespace ew::test {
