@@ -1522,6 +1522,8 @@
     <message>
         <source>No exercise was found for this number; try another one.</source>
         <translation>Für diese Nummer wurde keine Übung gefunden; nimm eine andere.</translation>
+    </message>
+    <message>
         <source>a template has 4 to 64 vertices, not %1.</source>
         <translation>Eine Vorlage hat 4 bis 64 Ecken, nicht %1.</translation>
     </message>
