@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "tests/reading/reading_fixture.h"
 #include "tests/support/line_drawings.h"
@@ -156,14 +158,11 @@ void expectExplained(const std::string& name, const std::vector<Stroke>& strokes
 }
 
 TEST_F(OutsideDrawings, WhatNoTemplateShowsIsExplained) {
-    // A wedge with a narrow upper face.
     const std::vector<std::pair<const char*, std::vector<Errc>>> lineDrawings{
-        {"wedge_example.svg", {Errc::NoSolution, Errc::NotParallel, Errc::NoMatch}},
         {"packed_boxes_input.svg", {Errc::SeparateDrawings, Errc::NoMatch}},
         {"packed_boxes_output.svg", {Errc::SeparateDrawings, Errc::NoMatch, Errc::OpenEnd}},
     };
     for (const auto& [file, codes] : lineDrawings) {
-        // As large as a window allows: the wedge's upper face is a sliver.
         const auto drawing = test::readHiddenLineSvg(kData + file, 700);
         ASSERT_TRUE(drawing) << drawing.error().message;
         expectExplained(file, drawing->visible(), codes);
@@ -176,6 +175,28 @@ TEST_F(OutsideDrawings, WhatNoTemplateShowsIsExplained) {
         expectExplained(file, drawing->visible(),
                         {Errc::SeparateDrawings, Errc::OpenEnd, Errc::NoMatch, Errc::SelfCrossing});
     }
+}
+
+// A square frustum with a top half as wide, over one corner of its base. A face is seen as a
+// sliver.
+TEST_F(OutsideDrawings, TheWedgeIsASlantedFrustum) {
+    const auto drawing = test::readHiddenLineSvg(kData + "wedge_example.svg", 700);
+    ASSERT_TRUE(drawing) << drawing.error().message;
+    const auto r = readStrokes(drawing->visible());
+    ASSERT_TRUE(r.accepted) << answerOf(r);
+    const PolyhedronSpec& spec = r.candidates[static_cast<std::size_t>(*r.accepted)].spec;
+    ASSERT_EQ(spec.vertices.size(), 8U);
+    EXPECT_EQ(spec.faces.size(), 6U);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& face : spec.faces) {
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const Vec3& from = spec.vertices[static_cast<std::size_t>(face[k])];
+            const Vec3& to = spec.vertices[static_cast<std::size_t>(face[(k + 1) % face.size()])];
+            least = std::min(least, (to - from).norm());
+        }
+    }
+    // By Simpson's rule: areas of 1, 9/16 and 1/4 over a height of 1; the top's edges are 1/2.
+    EXPECT_NEAR(test::volumeOf(spec) / std::pow(2.0 * least, 3), 7.0 / 12.0, 0.01);
 }
 
 // A plate with two hexagonal pockets and an open box: the outside is a box, what lies inside its

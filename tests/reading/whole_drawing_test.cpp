@@ -148,6 +148,24 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HiddenLines,
                          testing::Values("prism", "concave", "pyramid", "parts-2", "parts-5"));
 
 /// A box with a window drawn as a closed line on a face, and one with a pocket whose floor is seen.
+/// The far slope of the roof is seen all but edge-on: it runs nearly along the ridge, and nobody
+/// draws the lines behind it.
+TEST(WholeDrawing, AGableWhoseSlopeRunsNearlyAlongTheRidge) {
+    const Vec2 left(676, 479), leftEaves(676, 369), top(753, 275), eaves(829, 318), right(829, 429);
+    const Vec2 back(560, 401), backEaves(560, 291), backTop(636, 197);
+    std::vector<Stroke> strokes;
+    const std::vector<Line2> lines{{right, left},       {left, leftEaves},      {leftEaves, top},
+                                   {top, eaves},        {eaves, right},         {left, back},
+                                   {back, backEaves},   {leftEaves, backEaves}, {top, backTop},
+                                   {backEaves, backTop}};
+    for (const Line2& l : lines) strokes.push_back(test::line(l[0], l[1]));
+    const Interpretation r = test::readStrokes(strokes);
+    ASSERT_TRUE(r.accepted) << r.problem->message;
+    const PolyhedronSpec& spec = r.candidates[static_cast<std::size_t>(*r.accepted)].spec;
+    EXPECT_EQ(spec.vertices.size(), 10U);
+    EXPECT_EQ(spec.faces.size(), 7U);
+}
+
 TEST(WholeDrawing, AWindowIsInkAndAPocketIsCut) {
     OrthographicCamera camera;
     camera.direction = Vec3(-1.0, 0.7, -1.0).normalized();

@@ -195,7 +195,8 @@ std::optional<SolvedShape> ShapeSolver::solve(const ShapeHypothesis& h,
     const double missed = std::sqrt(f->misfit) * fitSpread_;
     const double near = std::min(options_.thresholds.distancePx,
                                  params::kLeastBesidePx + 3.0 * noise_ + 2.0 * missed);
-    out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near);
+    out.evidence = pictureEvidence(ink_, out.solid, out.candidate.pose, options_.camera, near,
+                                   params::kThinFace * options_.thresholds.distancePx);
     Evidence& told = out.candidate.evidence;
     told.freedoms = params::kFreedomCost * f->model.freedoms();
     told.fit = f->misfit * static_cast<double>(drawing.nodes.size());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "core/base/tolerance.h"
@@ -17,6 +18,7 @@
 #include "core/reading/propose/pyramid_proposals.h"
 #include "core/reading/propose/shape_solver.h"
 #include "core/reading/propose/wire_proposals.h"
+#include "core/reading/score/candidates.h"
 #include "core/reading/score/probability.h"
 #include "core/reading/types/reading_params.h"
 
@@ -63,6 +65,7 @@ class WholeReader {
 
   private:
     static constexpr std::size_t kFewestLines = 6;
+    static constexpr double kSteadyDeg = 1.2;  ///< lines of a steady hand turn by no more
     static constexpr int kManyLines = 16;
     static constexpr std::size_t kMostFrames = 6;
     static constexpr int kMostFramesTried = 16;  ///< of all graphs
@@ -122,6 +125,42 @@ class WholeReader {
     std::vector<SolvedShape> read(const EdgeGraph& graph, bool alone) {
         solver_.begin(graph);
         const LineDrawing drawing = lineDrawing(graph, params::kStraightDeg);
+        std::vector<SolvedShape> found = read(graph, drawing, alone);
+        // What looks like a line that ends behind another one may be a corner of a steady hand, as
+        // where the slope of a gable runs nearly along the ridge.
+        const double steadyDeg = straightDeg(graph);
+        if (steadyDeg > kSteadyDeg) return found;
+        const LineDrawing steady = lineDrawing(graph, steadyDeg);
+        if (!differ(drawing, steady)) return found;
+        for (SolvedShape& s : read(graph, steady, alone)) found.push_back(std::move(s));
+        return found;
+    }
+
+    /// How far straight lines of this hand turn, standard deviation; 1 to kStraightDeg [degrees].
+    double straightDeg(const EdgeGraph& graph) const {
+        constexpr double kLeastDeg = 1.0;
+        double px = 0.0;
+        for (const GraphEdge& e : graph.edges) px += e.inkPx;
+        const double mean = px / static_cast<double>(std::max<std::size_t>(1, graph.edges.size()));
+        const double noise = std::max(drawingNoisePx(graph), handNoisePx(ink_));
+        const double turn = std::atan2(std::numbers::sqrt2 * noise, std::max(mean, 1.0));
+        return std::clamp(turn * 180.0 / std::numbers::pi, kLeastDeg, params::kStraightDeg);
+    }
+
+    /// Do lines end behind others, or faces have corners, in one and not in the other?
+    static bool differ(const LineDrawing& a, const LineDrawing& b) {
+        const auto stems = [](const LineDrawing::Node& x, const LineDrawing::Node& y) {
+            return x.stem == y.stem;
+        };
+        const auto corners = [](const LineDrawing::Region& x, const LineDrawing::Region& y) {
+            return x.corners == y.corners;
+        };
+        return !std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), stems) ||
+               !std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(),
+                           corners);
+    }
+
+    std::vector<SolvedShape> read(const EdgeGraph& graph, const LineDrawing& drawing, bool alone) {
         std::vector<SolvedShape> found;
         if (alone) {
             const auto families = familyProposals(drawing, solver_.spread());

@@ -67,7 +67,7 @@ class LineGrid {
 }  // namespace
 
 PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const Pose& pose,
-                                const OrthographicCamera& camera, double nearPx) {
+                                const OrthographicCamera& camera, double nearPx, double thinPx) {
     PictureEvidence out;
     out.inkPx = inkLengthPx(ink);
     const auto view = SolidView::make(solid, pose, camera);
@@ -118,7 +118,7 @@ PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const
         }
     }
     out.beside = strokesLeftOut(strokes, ink.noise);
-    const LineGrid inked(drawn, nearPx);
+    const LineGrid inked(drawn, std::max(nearPx, thinPx));
     constexpr double kStepPx = 4.0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const Line& line = seen[i];

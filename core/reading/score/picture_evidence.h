@@ -37,8 +37,11 @@ struct PictureEvidence {
 };
 
 /// \param nearPx  how far from an edge ink may run that was drawn for it [px].
+/// \param thinPx  an edge this near to ink is not missed: nobody draws both sides of a face that is
+///                seen nearly edge-on [px]; nearPx at least.
 /// Cost: that of SolidView, and O(ink samples + picture / 4 px).
 PictureEvidence pictureEvidence(const InkReading& ink, const Solid& solid, const Pose& pose,
-                                const OrthographicCamera& camera, double nearPx);
+                                const OrthographicCamera& camera, double nearPx,
+                                double thinPx = 0.0);
 
 }  // namespace ew

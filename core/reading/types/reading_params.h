@@ -116,6 +116,10 @@ inline constexpr double kFaintCorner = 2.5;
 /// ... and by less than this is none.
 inline constexpr double kNoCorner = 1.0;
 
+/// A face that is seen thinner than this is not drawn: its far side would run beside the near one
+/// [distance thresholds].
+inline constexpr double kThinFace = 0.5;
+
 /// A side of a face shorter than this may be one corner that lines missed [standard deviations of a
 /// drawn corner].
 inline constexpr double kTinySide = 3.0;
