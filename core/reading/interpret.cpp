@@ -70,7 +70,7 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
     if (c.depth != DepthRule::Orthographic) return doubt;
     const auto solid = Solid::fromSpec(c.spec);
     if (!solid) return doubt;
-    const double noise = std::max(drawingNoisePx(reading.graph), handNoisePx(ink));
+    const double noise = drawnNoisePx(reading.graph, ink);
     const double near = std::min(options.thresholds.distancePx,
                                  params::kLeastBesidePx + 3.0 * noise + 2.0 * c.residualPx);
     const PictureEvidence picture = pictureEvidence(ink, *solid, c.pose, options.camera, near);
@@ -221,12 +221,10 @@ bool isAlike(const Candidate& taken, const Candidate& whole, const Doubt& doubt)
 }
 
 /// What is read by its lines alone may taper as the drawing does, where that is in perspective.
-void askAboutPerspective(const std::vector<Stroke>& strokes, double distancePx,
-                         Interpretation& reading) {
+void askAboutPerspective(const InkReading& ink, double distancePx, Interpretation& reading) {
     if (!reading.accepted) return;
     const Candidate& c = reading.candidates[static_cast<std::size_t>(*reading.accepted)];
     if (c.aspect != "region") return;
-    const InkReading ink = readInk(strokes, distancePx);
     // Three lines may converge by chance, as those of a hexagon's edges do.
     constexpr std::size_t kLeastLines = 4;
     const auto found = findConvergence(reading.graph, ink, distancePx, kLeastLines);
@@ -292,7 +290,9 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         return out;
     }
     if (options.bodies.empty() || options.operation == Operation::Create) {
-        return readInFreeSpace(ink, library, options);
+        Interpretation created = readInFreeSpace(ink, library, options);
+        askAboutPerspective(ink, options.thresholds.distancePx, created);
+        return created;
     }
     ModificationReading change = readModification(ink, library, options);
     if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {
@@ -360,7 +360,6 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         return out;
     }
     Interpretation reading = readDrawing(strokes, library, options);
-    askAboutPerspective(strokes, options.thresholds.distancePx, reading);
     const ReadAgain again = [&](const std::vector<Stroke>& changed) {
         return readDrawing(changed, library, options);
     };

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/reading/evidence/hand_noise.h"
 #include "core/reading/score/candidates.h"
 
 namespace ew {
@@ -44,7 +43,6 @@ struct Line {
 
 struct Family {
     std::vector<int> lines;
-    Meeting meeting = Meeting::Zero();
     double px = 0.0;  ///< their lengths together, less where they miss it
 };
 
@@ -133,7 +131,6 @@ class Families {
         }
         std::sort(near.begin(), near.end());
         Family family;
-        family.meeting = meeting;
         for (const auto& [z, k] : near) {
             const bool joined =
                 std::any_of(family.lines.begin(), family.lines.end(),
@@ -238,7 +235,7 @@ std::optional<Convergence> findConvergence(const EdgeGraph& graph, double spread
 
 std::optional<Convergence> findConvergence(const EdgeGraph& graph, const InkReading& ink,
                                            double distancePx, std::size_t leastLines) {
-    const double noise = std::max(drawingNoisePx(graph), handNoisePx(ink));
+    const double noise = drawnNoisePx(graph, ink);
     return findConvergence(graph, std::hypot(noise, cornerSpread(ink, distancePx, noise)),
                            leastLines);
 }

@@ -109,7 +109,7 @@ struct ShapeSolver::Rough {
 };
 
 void ShapeSolver::begin(const EdgeGraph& graph) {
-    noise_ = std::max(drawingNoisePx(graph), handNoisePx(ink_));
+    noise_ = drawnNoisePx(graph, ink_);
     spread_ = fitSpread_ =
         std::hypot(noise_, cornerSpread(ink_, options_.thresholds.distancePx, noise_));
 }

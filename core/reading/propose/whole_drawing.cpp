@@ -142,7 +142,7 @@ class WholeReader {
         double px = 0.0;
         for (const GraphEdge& e : graph.edges) px += e.inkPx;
         const double mean = px / static_cast<double>(std::max<std::size_t>(1, graph.edges.size()));
-        const double noise = std::max(drawingNoisePx(graph), handNoisePx(ink_));
+        const double noise = drawnNoisePx(graph, ink_);
         const double turn = std::atan2(std::numbers::sqrt2 * noise, std::max(mean, 1.0));
         return std::clamp(turn * 180.0 / std::numbers::pi, kLeastDeg, params::kStraightDeg);
     }

@@ -454,6 +454,10 @@ double drawingNoisePx(const EdgeGraph& graph) {
     return std::sqrt(variance + tol::kNoiseFloorPx * tol::kNoiseFloorPx);
 }
 
+double drawnNoisePx(const EdgeGraph& graph, const InkReading& ink) {
+    return std::max(drawingNoisePx(graph), handNoisePx(ink));
+}
+
 double cornerSpread(const InkReading& ink, double distancePx, double noisePx) {
     const double mean =
         inkLengthPx(ink) / std::max<double>(1.0, static_cast<double>(ink.segments.size()));

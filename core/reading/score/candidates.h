@@ -33,6 +33,8 @@ struct RatedCandidate {
 /// How well the drawing was drawn, from the drawing itself: how far lines miss their common
 /// junctions, and how much they wobble [px].
 double drawingNoisePx(const EdgeGraph& graph);
+/// The same or, where that is more, what the wobble of the lines tells of the hand [px].
+double drawnNoisePx(const EdgeGraph& graph, const InkReading& ink);
 
 /// Standard deviation per axis of a drawn corner from where it is meant to be [px], shared by all
 /// lines that meet there: 1.7% of the mean line, 2 px at least, and no less than its line ends miss
