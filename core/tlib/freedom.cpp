@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tlib/freedom.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 namespace ew {
 
@@ -90,8 +89,7 @@ void addFace(const PolyhedronSpec& shape, const std::vector<int>& loop, RowSpace
 bool addParallel(RowSpace& space, const TemplateEdge& first, const TemplateEdge& other) {
     const Vec3 a = space.along(first);
     const Vec3 b = space.along(other);
-    const Vec3 helper = std::abs(a.normalized().z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-    const Vec3 u = a.cross(helper).normalized();
+    const Vec3 u = a.unitOrthogonal();
     bool news = false;
     for (const Vec3& w : {u, Vec3(a.normalized().cross(u))}) {
         Row row = space.zero();
