@@ -472,6 +472,10 @@
         <translation>Eine überzählige Linie wurde weggelassen.</translation>
     </message>
     <message>
+        <source>Lines that run past the corners were taken for guide lines.</source>
+        <translation>Linien, die über die Ecken hinauslaufen, gelten als Hilfslinien.</translation>
+    </message>
+    <message>
         <source>Parts that cannot be seen from here keep the template&apos;s proportions.</source>
         <translation>Was von hier nicht zu sehen ist, behält die Maße der Vorlage.</translation>
     </message>

@@ -226,6 +226,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "One edge that was not drawn was added."),
     QT_TRANSLATE_NOOP("Core", "%1 edges that were not drawn were added."),
     QT_TRANSLATE_NOOP("Core", "One line too many was left out."),
+    QT_TRANSLATE_NOOP("Core", "Lines that run past the corners were taken for guide lines."),
     QT_TRANSLATE_NOOP("Core",
                       "Parts that cannot be seen from here keep the template's proportions."),
     QT_TRANSLATE_NOOP(

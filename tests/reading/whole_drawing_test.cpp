@@ -147,6 +147,33 @@ TEST_P(HiddenLines, AreEdgesOfTheSolid) {
 INSTANTIATE_TEST_SUITE_P(Kinds, HiddenLines,
                          testing::Values("prism", "concave", "pyramid", "parts-2", "parts-5"));
 
+/// Drawings whose lines run past every corner.
+class GuideLines : public testing::TestWithParam<std::string> {};
+
+TEST_P(GuideLines, AreNoEdges) {
+    int right = 0;
+    for (std::uint64_t n = 0; n < 6; ++n) {
+        SCOPED_TRACE(n);
+        Random random(Random::mix(41, n));
+        WholeCase c = randomWholeCase(GetParam(), random);
+        c.lines = withGuides(c.lines, random);
+        const Interpretation reading = read(c, drawnBy(c, kLightHand, n));
+        const auto solid = taken(reading);
+        if (!solid) continue;
+        EXPECT_TRUE(sameCounts(*solid, c.solid))
+            << solid->vertices().size() << " for " << c.solid.vertices().size();
+        const bool tails =
+            std::any_of(reading.graph.noise.begin(), reading.graph.noise.end(),
+                        [](const NoiseItem& item) { return item.kind == NoiseKind::Overshoot; });
+        EXPECT_TRUE(tails);
+        ++right;
+    }
+    EXPECT_GE(right, GetParam() == "parts-2" ? 2 : 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, GuideLines,
+                         testing::Values("prism", "concave", "pyramid", "parts-2"));
+
 /// A box with a window drawn as a closed line on a face, and one with a pocket whose floor is seen.
 /// The far slope of the roof is seen all but edge-on: it runs nearly along the ridge, and nobody
 /// draws the lines behind it.

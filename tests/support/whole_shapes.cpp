@@ -361,6 +361,19 @@ WholeCase wholeCase(const Solid& solid, const OrthographicCamera& camera) {
     return out;
 }
 
+std::vector<Line2> withGuides(const std::vector<Line2>& lines, Random& random) {
+    double mean = 0.0;
+    for (const Line2& l : lines) mean += (l[1] - l[0]).norm() / static_cast<double>(lines.size());
+    std::vector<Line2> out;
+    for (const Line2& l : lines) {
+        const Vec2 d = (l[1] - l[0]).normalized();
+        const double before = random.uniform(0.1, 0.6) * mean;
+        const double after = random.uniform(0.1, 0.6) * mean;
+        out.push_back({Vec2(l[0] - before * d), Vec2(l[1] + after * d)});
+    }
+    return out;
+}
+
 WholeCase randomWholeCase(const std::string& kind, Random& random) {
     while (true) {
         const WholeShape whole = randomWhole(kind, random);

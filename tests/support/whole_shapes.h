@@ -44,6 +44,10 @@ WholeShape randomWhole(const std::string& kind, Random& random);
 /// faces or more well seen, and the rules of ReadabilityRules for junctions and lines.
 WholeCase randomWholeCase(const std::string& kind, Random& random);
 
+/// Lines that run past both of their ends, by a tenth to six tenths of their mean length, as guide
+/// lines do.
+std::vector<Line2> withGuides(const std::vector<Line2>& lines, Random& random);
+
 /// The drawing of a solid: what is seen of every edge, and what is hidden.
 WholeCase wholeCase(const Solid& solid, const OrthographicCamera& camera);
 
