@@ -9,6 +9,7 @@
 
 #include "core/base/tolerance.h"
 #include "core/stroke/partition.h"
+#include "core/stroke/rounded_corners.h"
 
 namespace ew {
 namespace {
@@ -365,8 +366,12 @@ StrokeReading readStroke(const Stroke& stroke, int index, double distancePx, dou
         reading.segments.back().joinedToNext = c + 2 < cuts.size();
         if (c > 0) meetAtCorner(reading.segments[c - 1], reading.segments[c], distancePx);
     }
+    const bool closed = (nodes.front() - nodes.back()).norm() < 0.5 * distancePx;
+    const bool squared = squareRoundedCorners(reading.segments, {nodes, cuts, closed});
     if (isScribble(nodes, cuts, reading.segments, distancePx)) {
         reading.kind = StrokeKind::Scribble;
+    } else if (squared) {
+        reading.kind = StrokeKind::Polyline;
     } else if (looksCurved(nodes, cuts) || isRing(reading.segments)) {
         reading.kind = StrokeKind::Curve;
     }
