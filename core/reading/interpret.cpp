@@ -13,6 +13,7 @@
 #include "core/reading/evidence/hand_noise.h"
 #include "core/reading/explain/causes.h"
 #include "core/reading/explain/convergence.h"
+#include "core/reading/propose/apart.h"
 #include "core/reading/propose/cutting_plane.h"
 #include "core/reading/propose/free_drawing.h"
 #include "core/reading/propose/modification.h"
@@ -402,6 +403,14 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         return out;
     }
     if (options.bodies.empty() || options.operation == Operation::Create) {
+        if (options.templateId.empty()) {
+            const auto alone = [&](const InkReading& own) {
+                Interpretation one = readInFreeSpace(own, library, options);
+                askAboutPerspective(own, options.thresholds.distancePx, one);
+                return one;
+            };
+            if (auto bodies = readApart(ink, options, alone)) return *std::move(bodies);
+        }
         // First, for guide lines enclose much that is none of the solid's faces.
         auto edges = readWithoutGuides(ink, library, options);
         trimmed = edges.has_value();
