@@ -288,6 +288,10 @@
         <translation>Lesbar als %1, ginge aber durch den vorhandenen Körper hindurch; auswählen oder weiterzeichnen.</translation>
     </message>
     <message>
+        <source>This could be %1 of these lengths; choose it, or draw on.</source>
+        <translation>Lesbar als %1 mit diesen Längen; auswählen oder weiterzeichnen.</translation>
+    </message>
+    <message>
         <source>This is one flat outline; a solid needs the lines inside it too, where its faces meet.</source>
         <translation>Das ist ein flacher Umriss; ein Körper braucht auch die Linien darin, an denen seine Flächen sich treffen.</translation>
     </message>
@@ -970,6 +974,10 @@
     <message>
         <source>Take it as %1 all the same</source>
         <translation>Trotzdem nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Take it as %1</source>
+        <translation>Nehmen: %1</translation>
     </message>
     <message>
         <source>adding %1</source>

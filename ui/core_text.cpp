@@ -131,6 +131,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core",
                       "This could be %1, but it would run through the solid that is there; choose "
                       "it, or draw on."),
+    QT_TRANSLATE_NOOP("Core", "This could be %1 of these lengths; choose it, or draw on."),
     QT_TRANSLATE_NOOP("Core", "This could be %1; choose it, or draw on."),
     QT_TRANSLATE_NOOP("Core",
                       "This is one flat outline; a solid needs the lines inside it too, where its "
@@ -314,6 +315,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "Keep the largest drawing"),
     QT_TRANSLATE_NOOP("Core", "Keep drawing %1"),
     QT_TRANSLATE_NOOP("Core", "Take it as %1 all the same"),
+    QT_TRANSLATE_NOOP("Core", "Take it as %1"),
     QT_TRANSLATE_NOOP("Core", "Take the %1"), QT_TRANSLATE_NOOP("Core", "Take: %1"),
     QT_TRANSLATE_NOOP("Core", "is part of no face"), QT_TRANSLATE_NOOP("Core", "a dot"),
     QT_TRANSLATE_NOOP("Core", "a scribble"), QT_TRANSLATE_NOOP("Core", "a curve"),

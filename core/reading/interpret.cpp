@@ -9,7 +9,7 @@
 
 #include "core/base/words.h"
 #include "core/edge_graph/build.h"
-#include "core/edge_graph/guide_lines.h"
+#include "core/reading/changed_ink.h"
 #include "core/reading/evidence/hand_noise.h"
 #include "core/reading/explain/causes.h"
 #include "core/reading/explain/convergence.h"
@@ -19,6 +19,7 @@
 #include "core/reading/propose/modification.h"
 #include "core/reading/propose/profile.h"
 #include "core/reading/propose/whole_drawing.h"
+#include "core/reading/question.h"
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/picture_evidence.h"
 #include "core/reading/score/probability.h"
@@ -29,15 +30,6 @@
 
 namespace ew {
 namespace {
-
-/// Most lines that any view of a template has.
-std::size_t mostLines(const TemplateLibrary& library) {
-    std::size_t most = 0;
-    for (const auto& entry : library.index().entries) {
-        for (const Aspect& a : entry->aspects) most = std::max(most, a.graph.edges.size());
-    }
-    return most;
-}
 
 /// Does a reading by templates say no more than that there is none, or offer only some that have
 /// edges too many or too few? What it can tell better (a gap, a choice, a flat outline) is the
@@ -86,24 +78,6 @@ Doubt doubtOf(const InkReading& ink, const Interpretation& reading,
     doubt.poor = c.missingEdges > 0 || c.extraEdges > 0 ||
                  c.residualPx > params::kPoorFitNoises * noise + params::kPoorFitPx;
     return doubt;
-}
-
-/// What was taken becomes a question.
-/// \param but  what speaks against it, after "This could be a Cube"; may be empty.
-void askInstead(Interpretation& reading, const std::string& but) {
-    const auto best = static_cast<std::size_t>(*reading.accepted);
-    const std::string name = withArticle(reading.candidates[best].templateName);
-    Repair use;
-    use.kind = Repair::Kind::UseCandidate;
-    use.candidate = *reading.accepted;
-    use.label = "Take it as " + name + " all the same";
-    reading.repairs.push_back(std::move(use));
-    std::vector<Vec2> where;
-    for (const Junction& j : reading.graph.junctions) where.push_back(j.position);
-    reading.problem =
-        Error{Errc::Ambiguous, "This could be " + name + but + "; choose it, or draw on.",
-              std::move(where)};
-    reading.accepted.reset();
 }
 
 void askAboutLines(Interpretation& reading) {
@@ -187,33 +161,32 @@ void offerCut(const std::vector<Stroke>& strokes, const InterpretOptions& option
     }
 }
 
-Interpretation wholeOf(WholeReading whole) {
-    Interpretation read;
-    read.graph = std::move(whole.graph);
-    read.candidates = std::move(whole.candidates);
-    read.accepted = 0;
-    return read;
-}
-
-/// A solid that explains the drawing, but not without doubt.
-Interpretation offeredWhole(WholeReading whole) {
-    Interpretation read = wholeOf(std::move(whole));
-    askInstead(read, "");
-    return read;
-}
-
-/// A template with lines on it stays what was taken; a solid that has them as edges, but not
-/// without doubt, stands behind it.
-void offerToo(WholeReading whole, Interpretation& reading) {
+/// What speaks of another graph stands behind what a reading offers already.
+void offerToo(std::vector<Candidate> others, int most, Interpretation& reading) {
     double left = 1.0;
     for (const Candidate& c : reading.candidates) left = std::max(0.0, left - c.probability);
-    for (Candidate& c : whole.candidates) {
+    for (Candidate& c : others) {
+        if (static_cast<int>(reading.candidates.size()) >= most) return;
         // Their costs are not comparable: they have what the others leave.
         c.probability *= left;
         // The candidates speak of another graph.
         c.junctionVertex.assign(reading.graph.junctions.size(), -1);
         reading.candidates.push_back(std::move(c));
     }
+}
+
+/// A template that does not fit well enough, and a solid that explains the drawing, but not without
+/// doubt: what costs less is offered first. An unsteady hand's bends make many an odd solid.
+Interpretation offerBoth(Interpretation reading, WholeReading whole, int most) {
+    if (reading.candidates.empty()) return offeredWhole(std::move(whole));
+    const double templates = reading.candidates.front().evidence.cost();
+    if (templates > whole.candidates.front().evidence.cost()) {
+        Interpretation out = offeredWhole(std::move(whole));
+        offerToo(std::move(reading.candidates), most, out);
+        return out;
+    }
+    offerToo(std::move(whole.candidates), most, reading);
+    return reading;
 }
 
 /// Is the solid that explains the drawing as a whole what was taken, or merely less regular?
@@ -270,129 +243,30 @@ Interpretation readInFreeSpace(const InkReading& ink, const TemplateLibrary& lib
     if (whole->clear && explains) return wholeOf(*std::move(whole));
     // What has all of the ink is more than a reason why no template fits.
     if (!taken && !out.slip && whole->residue <= params::kMostDetail) {
-        return offeredWhole(*std::move(whole));
+        return offerBoth(std::move(out), *std::move(whole), options.maxCandidates);
     }
     // Who draws hidden lines means all other lines as edges, too.
     const bool partial = doubt.hidden && doubt.detailed;
     if (taken && (partial || (doubt.poor && explains))) askAboutLines(out);
     if (!taken || !explains) return out;
-    offerToo(*std::move(whole), out);
+    // A template with lines on it stays what was taken; a solid that has them as edges, but not
+    // without doubt, stands behind it.
+    offerToo(std::move(whole->candidates), options.maxCandidates, out);
     return out;
 }
 
-bool isSameSolid(const Candidate& a, const Candidate& b) {
-    const auto first = Solid::fromSpec(a.spec);
-    const auto second = Solid::fromSpec(b.spec);
-    return first && second && first->vertices().size() == second->vertices().size() &&
-           first->edges().size() == second->edges().size() &&
-           std::abs(first->volume() / second->volume() - 1.0) < params::kSameVolume;
-}
-
-/// Does a solid leave strokes aside that are lines?
-bool leavesLines(const InkReading& ink, const Candidate& c) {
-    return std::any_of(c.unusedStrokes.begin(), c.unusedStrokes.end(), [&](int stroke) {
-        return std::any_of(ink.segments.begin(), ink.segments.end(),
-                           [stroke](const Segment& s) { return s.stroke == stroke; });
-    });
-}
-
-/// One way to trim guide lines, read.
-struct TrimmedReading {
-    Interpretation reading;
-    std::optional<Candidate> taken;  ///< a solid that has all lines that are left
-    double cost = 0.0;               ///< of trimming and solid, in the unit of Evidence::cost
-    bool doubtful = false;           ///< some line is no edge, or lines that run wild made a corner
-};
-
-/// Lines that were cut in the wrong place may make corners of four edges and more. An apex is one
-/// such corner; two are doubtful.
-bool hasOddCorners(const Candidate& c) {
-    const auto solid = Solid::fromSpec(c.spec);
-    if (!solid) return true;
-    std::vector<int> edges(solid->vertices().size(), 0);
-    for (const auto& e : solid->edges()) {
-        for (const int v : e.ends) ++edges[static_cast<std::size_t>(v)];
-    }
-    return std::count_if(edges.begin(), edges.end(), [](int n) { return n > 3; }) > 1;
-}
-
-TrimmedReading readTrimmed(const TrimmedInk& way, const TemplateLibrary& library,
-                           const InterpretOptions& options) {
-    constexpr double kTrimmingCost = 10.0;
-    TrimmedReading out;
-    if (way.ink.segments.size() > mostLines(library)) {
-        // No template shows so many lines.
-        WholeReading whole = readWholeDrawing(way.ink, library, options);
-        const bool taken = whole.clear && whole.residue <= params::kMostDetail;
-        if (!whole.candidates.empty()) {
-            out.reading = taken ? wholeOf(std::move(whole)) : offeredWhole(std::move(whole));
-        }
-    } else {
-        out.reading = readInFreeSpace(way.ink, library, options);
-    }
-    for (Candidate& c : out.reading.candidates) {
-        c.notes.emplace_back("Lines that run past the corners were taken for guide lines.");
-    }
-    if (out.reading.accepted) {
-        const Candidate& c =
-            out.reading.candidates[static_cast<std::size_t>(*out.reading.accepted)];
-        const bool whole = c.missingEdges == 0 && c.extraEdges == 0;
-        if (whole && !leavesLines(way.ink, c)) out.taken = c;
-        out.cost = c.evidence.cost() + kTrimmingCost * way.cost;
-        out.doubtful = hasOddCorners(c) || !way.dropped.empty();
-    }
-    for (Candidate& c : out.reading.candidates) {
-        c.unusedStrokes.insert(c.unusedStrokes.end(), way.dropped.begin(), way.dropped.end());
-        std::sort(c.unusedStrokes.begin(), c.unusedStrokes.end());
-    }
-    std::vector<NoiseItem>& noise = out.reading.graph.noise;
-    noise.insert(noise.end(), way.tails.begin(), way.tails.end());
-    return out;
-}
-
-/// Lines that run past the corners, as guide lines do, read as the edges between these. What can
-/// be trimmed to two solids at much the same cost is a question. Nothing where the drawing may
-/// have other lines, too.
-std::optional<Interpretation> readWithoutGuides(const InkReading& ink,
-                                                const TemplateLibrary& library,
-                                                const InterpretOptions& options) {
-    constexpr std::size_t kMostWays = 4;
-    constexpr double kFarOff = 1.0;     // in the unit of TrimmedInk::cost
-    constexpr double kAllGuides = 0.7;  // share of the lines
-    const auto ways = trimGuideLines(ink, options.thresholds.distancePx, kMostWays);
-    std::vector<TrimmedReading> read;
-    std::optional<Interpretation> refused;
-    double least = std::numeric_limits<double>::infinity();
-    for (const TrimmedInk& way : ways) {
-        const bool agree = read.size() > 1 && isSameSolid(*read[0].taken, *read[1].taken);
-        if (agree || way.cost > least + kFarOff) break;
-        TrimmedReading one = readTrimmed(way, library, options);
-        if (one.taken) {
-            least = std::min(least, way.cost);
-            read.push_back(std::move(one));
-        } else if (!refused && !one.reading.accepted && one.reading.problem) {
-            refused = std::move(one.reading);
-        }
-    }
-    if (read.empty()) {
-        if (!refused || ways.front().share < kAllGuides) return std::nullopt;
-        return refused;
-    }
-    std::stable_sort(read.begin(), read.end(),
-                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    TrimmedReading& best = read.front();
-    const bool rivalled = std::any_of(read.begin() + 1, read.end(), [&](const auto& other) {
-        return other.cost < best.cost + params::kWholeMargin &&
-               !isSameSolid(*other.taken, *best.taken);
-    });
-    if (rivalled || best.doubtful) askInstead(best.reading, "");
-    return std::move(best.reading);
+ReadInk readingAlone(const TemplateLibrary& library, const InterpretOptions& options) {
+    return [&](const InkReading& ink) {
+        Interpretation read = readInFreeSpace(ink, library, options);
+        askAboutPerspective(ink, options.thresholds.distancePx, read);
+        return read;
+    };
 }
 
 /// Strokes that can be read, as a drawing in free space or a change of the solids that are there.
-/// \param trimmed  set where the lines were cut off at their corners first.
+/// \param changed  set where lines were cut off at their corners first.
 Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
-                           const InterpretOptions& options, bool& trimmed) {
+                           const InterpretOptions& options, bool& changed) {
     const InkReading ink = readInk(strokes, options.thresholds.distancePx);
     if (isCrowded(ink, options.thresholds.distancePx)) {
         Interpretation out;
@@ -403,19 +277,14 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         return out;
     }
     if (options.bodies.empty() || options.operation == Operation::Create) {
+        const ReadInk alone = readingAlone(library, options);
         if (options.templateId.empty()) {
-            const auto alone = [&](const InkReading& own) {
-                Interpretation one = readInFreeSpace(own, library, options);
-                askAboutPerspective(own, options.thresholds.distancePx, one);
-                return one;
-            };
             if (auto bodies = readApart(ink, options, alone)) return *std::move(bodies);
         }
         // First, for guide lines enclose much that is none of the solid's faces.
-        auto edges = readWithoutGuides(ink, library, options);
-        trimmed = edges.has_value();
-        Interpretation created = edges ? *std::move(edges) : readInFreeSpace(ink, library, options);
-        askAboutPerspective(ink, options.thresholds.distancePx, created);
+        auto edges = readWithoutGuides(ink, library, options, alone);
+        changed = edges.has_value();
+        Interpretation created = edges ? *std::move(edges) : alone(ink);
         return created;
     }
     ModificationReading change = readModification(ink, library, options);
@@ -448,6 +317,15 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         if (split.accepted) return offered(std::move(split));
     }
     return created;
+}
+
+/// What was told of more lines, or of one that is wrong, is the better answer.
+bool mayBeGesture(const Interpretation& reading, const InterpretOptions& options) {
+    if (!options.bodies.empty() && options.operation != Operation::Create) return false;
+    if (reading.accepted || !reading.problem) return false;
+    const auto open = {Errc::NoRegion, Errc::OpenEnd, Errc::FlatDrawing};
+    return foundNothing(reading) ||
+           std::find(open.begin(), open.end(), reading.problem->code) != open.end();
 }
 
 }  // namespace
@@ -483,14 +361,20 @@ Interpretation interpret(const std::vector<Stroke>& strokes, const TemplateLibra
         out.problem = Error{Errc::OperationImpossible, "There is no solid to cut in two.", {}};
         return out;
     }
-    bool trimmed = false;
-    Interpretation reading = readDrawing(strokes, library, options, trimmed);
-    const ReadAgain again = [&](const std::vector<Stroke>& changed) {
+    bool changed = false;
+    Interpretation reading = readDrawing(strokes, library, options, changed);
+    const ReadAgain again = [&](const std::vector<Stroke>& others) {
         bool ignored = false;
-        return readDrawing(changed, library, options, ignored);
+        return readDrawing(others, library, options, ignored);
     };
     // Of lines that were cut in several ways no single one is the cause.
-    if (!trimmed) findCause(strokes, library, options, again, reading);
+    if (!changed) findCause(strokes, library, options, again, reading);
+    if (mayBeGesture(reading, options)) {
+        const InkReading ink = readInk(strokes, options.thresholds.distancePx);
+        if (auto gesture = readGesture(ink, options, readingAlone(library, options))) {
+            reading = *std::move(gesture);
+        }
+    }
     if (!reading.accepted) tellProbabilitiesOfQuestion(reading.candidates);
     return reading;
 }

@@ -172,6 +172,9 @@ TEST_F(German, WhatTheCoreSaysIsGermanToo) {
               "Lesbar als Quader oder L-Prisma, aber nur ohne einige der Linien; auswählen oder "
               "weiterzeichnen.");
     EXPECT_EQ(coreText("Take it as an L-prism all the same"), "Trotzdem nehmen: L-Prisma");
+    EXPECT_EQ(coreText("Take it as an L-prism"), "Nehmen: L-Prisma");
+    EXPECT_EQ(coreText("This could be an L-prism of these lengths; choose it, or draw on."),
+              "Lesbar als L-Prisma mit diesen Längen; auswählen oder weiterzeichnen.");
     EXPECT_EQ(coreText("Take: cutting an L-prism"), "Nehmen: L-Prisma abziehen");
     EXPECT_EQ(coreText("This can be read as adding a Cube or cutting an L-prism; choose one."),
               "Lesbar als Quader hinzufügen oder L-Prisma abziehen; bitte auswählen.");

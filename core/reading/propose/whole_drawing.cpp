@@ -21,6 +21,7 @@
 #include "core/reading/score/candidates.h"
 #include "core/reading/score/probability.h"
 #include "core/reading/types/reading_params.h"
+#include "core/tlib/library_index.h"
 
 namespace ew {
 namespace {
@@ -311,6 +312,14 @@ class WholeReader {
 };
 
 }  // namespace
+
+std::size_t mostLines(const TemplateLibrary& library) {
+    std::size_t most = 0;
+    for (const auto& entry : library.index().entries) {
+        for (const Aspect& a : entry->aspects) most = std::max(most, a.graph.edges.size());
+    }
+    return most;
+}
 
 WholeReading readWholeDrawing(const InkReading& ink, const TemplateLibrary& library,
                               const InterpretOptions& options) {

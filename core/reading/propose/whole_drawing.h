@@ -23,4 +23,7 @@ struct WholeReading {
 WholeReading readWholeDrawing(const InkReading& ink, const TemplateLibrary& library,
                               const InterpretOptions& options);
 
+/// Most lines that any view of a template has: a drawing of more is none of a template.
+std::size_t mostLines(const TemplateLibrary& library);
+
 }  // namespace ew
