@@ -263,6 +263,20 @@ ReadInk readingAlone(const TemplateLibrary& library, const InterpretOptions& opt
     };
 }
 
+/// A drawing of bodies of their own.
+/// \param changed  set where lines were cut off at their corners first.
+Interpretation readCreation(const InkReading& ink, const TemplateLibrary& library,
+                            const InterpretOptions& options, bool& changed) {
+    const ReadInk alone = readingAlone(library, options);
+    if (options.templateId.empty()) {
+        if (auto bodies = readApart(ink, options, alone)) return *std::move(bodies);
+    }
+    // First, for guide lines enclose much that is none of the solid's faces.
+    auto edges = readWithoutGuides(ink, library, options, alone);
+    changed = edges.has_value();
+    return edges ? *std::move(edges) : alone(ink);
+}
+
 /// Strokes that can be read, as a drawing in free space or a change of the solids that are there.
 /// \param changed  set where lines were cut off at their corners first.
 Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLibrary& library,
@@ -277,15 +291,7 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         return out;
     }
     if (options.bodies.empty() || options.operation == Operation::Create) {
-        const ReadInk alone = readingAlone(library, options);
-        if (options.templateId.empty()) {
-            if (auto bodies = readApart(ink, options, alone)) return *std::move(bodies);
-        }
-        // First, for guide lines enclose much that is none of the solid's faces.
-        auto edges = readWithoutGuides(ink, library, options, alone);
-        changed = edges.has_value();
-        Interpretation created = edges ? *std::move(edges) : alone(ink);
-        return created;
+        return readCreation(ink, library, options, changed);
     }
     ModificationReading change = readModification(ink, library, options);
     if (!change.interpretation.candidates.empty() || options.operation != Operation::Auto) {
@@ -294,7 +300,9 @@ Interpretation readDrawing(const std::vector<Stroke>& strokes, const TemplateLib
         }
         return std::move(change.interpretation);
     }
-    Interpretation created = readFreeDrawing(ink, library, options);
+    Interpretation created = change.touches || change.redraws
+                                 ? readFreeDrawing(ink, library, options)
+                                 : readCreation(ink, library, options, changed);
     // Lines that meet the solid were hardly meant to be a body of their own.
     if (change.redraws || (change.touches && created.accepted)) {
         created.accepted.reset();

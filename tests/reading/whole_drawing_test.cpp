@@ -147,6 +147,30 @@ TEST_P(HiddenLines, AreEdgesOfTheSolid) {
 INSTANTIATE_TEST_SUITE_P(Kinds, HiddenLines,
                          testing::Values("prism", "concave", "pyramid", "parts-2", "parts-5"));
 
+/// The same beside a solid that is there already.
+TEST(WholeDrawing, BesideASolidIsReadAsOnAnEmptySheet) {
+    int right = 0;
+    for (std::uint64_t n = 0; n < 6; ++n) {
+        SCOPED_TRACE(n);
+        Random random(Random::mix(51, n));
+        const WholeCase c = randomWholeCase("prism", random);
+        InterpretOptions options;
+        options.camera = c.camera;
+        const Vec3 aside = 1200.0 * c.camera.worldPerPixel * c.camera.right();
+        options.bodies = {{c.solid, Pose{Mat3::Identity(), aside}}};
+        const std::vector<Stroke> strokes = drawnBy(c, kLightHand, n);
+        const auto alone = taken(read(c, strokes));
+        const Interpretation beside = readStrokes(strokes, options);
+        ASSERT_EQ(alone.has_value(), beside.accepted.has_value());
+        if (!alone) continue;
+        const Candidate& candidate = beside.candidates[static_cast<std::size_t>(*beside.accepted)];
+        EXPECT_EQ(candidate.operation, Operation::Create);
+        EXPECT_TRUE(sameCounts(*taken(beside), *alone));
+        ++right;
+    }
+    EXPECT_GE(right, 4);
+}
+
 /// Drawings whose lines run past every corner.
 class GuideLines : public testing::TestWithParam<std::string> {};
 
