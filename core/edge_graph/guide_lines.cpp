@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/tolerance.h"
 #include "core/edge_graph/wire_graph.h"
 #include "core/stroke/consolidate.h"
 
@@ -20,13 +21,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr std::size_t kFewestLines = 6;
 constexpr std::size_t kMostLines = 40;
 constexpr std::size_t kMostSegments = 3 * kMostLines;
-constexpr double kLeastSine = 0.1;    ///< lines that turn by less do not cross at a place
-constexpr double kReach = 0.7;        ///< by which a line may stop short [distance thresholds]
-constexpr double kOnePlace = 0.5;     ///< crossings so near are one place [distance thresholds]
-constexpr double kRetracedOff = 0.6;  ///< from the line through both [distance thresholds]
-constexpr double kAlongSine = 0.3;    ///< between a line and what was drawn again beside it
-constexpr double kLeastEdge = 1.5;    ///< [distance thresholds]
-constexpr double kLeastTail = 1.0;    ///< what runs on less is a slip of the pen [thresholds]
+constexpr double kLeastSine = 0.1;        ///< lines that turn by less do not cross at a place
+constexpr double kReach = 0.7;            ///< by which a line may stop short [distance thresholds]
+constexpr double kOnePlace = 0.5;         ///< crossings so near are one place [distance thresholds]
+constexpr double kOneRuledPlacePx = 0.8;  ///< ... where no hand errs
+constexpr double kRetracedOff = 0.6;      ///< from the line through both [distance thresholds]
+constexpr double kAlongSine = 0.3;        ///< between a line and what was drawn again beside it
+constexpr double kLeastEdge = 1.5;        ///< [distance thresholds]
+constexpr double kLeastTail = 1.0;        ///< what runs on less is a slip of the pen [thresholds]
 constexpr std::size_t kLinesAnUnused = 20;
 constexpr double kFewestTails = 0.4;  ///< share of the lines that run past a corner
 
@@ -59,8 +61,10 @@ struct PlaceOnLine {
 
 class Trimmer {
   public:
-    Trimmer(std::vector<InkLine> lines, double distancePx)
-        : lines_(std::move(lines)), distance_(distancePx) {}
+    Trimmer(std::vector<InkLine> lines, double wobblePx, double distancePx)
+        : lines_(std::move(lines)),
+          distance_(distancePx),
+          onePlacePx_(wobblePx < tol::kRuledPx ? kOneRuledPlacePx : kOnePlace * distancePx) {}
 
     const std::vector<InkLine>& lines() const { return lines_; }
     const std::vector<std::vector<PlaceOnLine>>& along() const { return along_; }
@@ -104,7 +108,7 @@ class Trimmer {
         DisjointSets groups(crossings.size());
         for (std::size_t i = 0; i < crossings.size(); ++i) {
             for (std::size_t k = 0; k < i; ++k) {
-                if ((crossings[i].at - crossings[k].at).norm() < kOnePlace * distance_) {
+                if ((crossings[i].at - crossings[k].at).norm() < onePlacePx_) {
                     groups.join(static_cast<int>(i), static_cast<int>(k));
                 }
             }
@@ -280,6 +284,7 @@ class Trimmer {
 
     std::vector<InkLine> lines_;
     double distance_;
+    double onePlacePx_;  ///< crossings so near are one place
     std::vector<Place> places_;
     std::vector<std::vector<PlaceOnLine>> along_;  ///< per line, ascending
     std::vector<std::vector<Stretch>> stretches_;  ///< per line, the cheapest first
@@ -481,7 +486,7 @@ std::vector<TrimmedInk> trimGuideLines(const InkReading& ink, double distancePx,
         if (lines.size() < kFewestLines || lines.size() > kMostLines) continue;
         if (lines.size() == fewer) break;
         fewer = lines.size();
-        Trimmer trimmer(std::move(lines), distancePx);
+        Trimmer trimmer(std::move(lines), ink.wobblePx, distancePx);
         for (const Trimmer::Way& way : trimmer.run(most)) {
             const double share = guideShare(trimmer, way, distancePx);
             if (share < kFewestTails) continue;
