@@ -18,6 +18,8 @@ constexpr double kMostTurn = 135.0;   ///< between two sides [degrees]
 constexpr double kSideEnd = 0.25;     ///< share of a side that a curve may have bent
 constexpr double kMostOfSide = 1.0;   ///< of what is left of a side, that a corner takes away
 constexpr double kBetter = 0.7;       ///< rms of circle and lines, at most
+constexpr double kAsGood = 1.5;       ///< the same where there are two short pieces or more
+constexpr double kAsGoodPx = 0.3;     ///< ... and this much more
 constexpr double kLeastRadius = 3.0;  ///< [px]
 constexpr double kStraightPx = 2.5;   ///< ink farther from a side's line is part of a curve
 constexpr double kSpacingPx = 1.6;    ///< of ink that is added
@@ -184,7 +186,9 @@ class Squarer {
             }
             return off;
         });
-        if (bestCircle(ink, before, after, *x, turn, most) > kBetter * lines) return std::nullopt;
+        // Several pieces that turn one way follow any curve closely.
+        const double limit = between.size() == 1 ? kBetter * lines : kAsGood * lines + kAsGoodPx;
+        if (bestCircle(ink, before, after, *x, turn, most) > limit) return std::nullopt;
         return x;
     }
 

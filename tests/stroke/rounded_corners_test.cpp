@@ -121,6 +121,10 @@ TEST(RoundedCorners, AChamferIsASide) {
     const StrokeReading r = readStroke(strokeOf(cut), 0, kThreshold, kWobble);
     ASSERT_EQ(r.kind, StrokeKind::Polyline);
     EXPECT_EQ(r.segments.size(), 5U);
+    // Two in a row.
+    const std::vector<Vec2> twice{{300, 300}, {470, 300}, {496, 311}, {507, 337},
+                                  {507, 480}, {300, 480}, {300, 300}};
+    EXPECT_EQ(readStroke(strokeOf(twice), 0, kThreshold, kWobble).segments.size(), 6U);
 }
 
 }  // namespace
