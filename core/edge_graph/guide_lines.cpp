@@ -10,6 +10,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/tolerance.h"
+#include "core/edge_graph/alike_lines.h"
 #include "core/edge_graph/wire_graph.h"
 #include "core/stroke/consolidate.h"
 
@@ -25,8 +26,6 @@ constexpr double kLeastSine = 0.1;        ///< lines that turn by less do not cr
 constexpr double kReach = 0.7;            ///< by which a line may stop short [distance thresholds]
 constexpr double kOnePlace = 0.5;         ///< crossings so near are one place [distance thresholds]
 constexpr double kOneRuledPlacePx = 0.8;  ///< ... where no hand errs
-constexpr double kRetracedOff = 0.6;      ///< from the line through both [distance thresholds]
-constexpr double kAlongSine = 0.3;        ///< between a line and what was drawn again beside it
 constexpr double kLeastEdge = 1.5;        ///< [distance thresholds]
 constexpr double kLeastTail = 1.0;        ///< what runs on less is a slip of the pen [thresholds]
 constexpr std::size_t kLinesAnUnused = 20;
@@ -296,63 +295,6 @@ class Trimmer {
     std::vector<Way> found_;
 };
 
-/// When two lines are one.
-struct Joining {
-    double overlap;  ///< of the shorter line lies on the other one, at least
-    double bend;     ///< of a line in two strokes, sine, at most
-    double off;      ///< from the line through both [distance thresholds]
-};
-/// Guide lines of two edges in line with one another lie on each other in part; but so does a line
-/// that was drawn in two strokes.
-constexpr Joining kStrict{0.6, 0.12, 0.4};
-constexpr Joining kLoose{0.1, 0.25, 0.7};
-
-/// Two lines that go on into one another, or retrace each other, as one; nothing where they do
-/// not.
-std::optional<InkLine> joined(const InkLine& a, const InkLine& b, const Joining& how,
-                              double distancePx) {
-    const Vec2 d = a.length() > b.length() ? a.direction() : b.direction();
-    const auto span = [&](const InkLine& line) {
-        const double s = line.a.dot(d);
-        const double t = line.b.dot(d);
-        return std::pair(std::min(s, t), std::max(s, t));
-    };
-    const auto [aLow, aHigh] = span(a);
-    const auto [bLow, bHigh] = span(b);
-    const double common = std::min(aHigh, bHigh) - std::max(aLow, bLow);
-    const bool retraced = common > how.overlap * std::min(a.length(), b.length());
-    if (!retraced && std::abs(common) > distancePx) return std::nullopt;
-    const double sine = std::abs(cross2(a.direction(), b.direction()));
-    if (sine > (retraced ? kAlongSine : how.bend)) return std::nullopt;
-    InkLine out = a;
-    out.points.insert(out.points.end(), b.points.begin(), b.points.end());
-    if (out.points.size() < 2) return std::nullopt;
-    const LineFit fit = fitLine(out.points);
-    const auto off = [&](const Vec2& p) { return std::abs(cross2(fit.direction, p - fit.center)); };
-    const double most = (retraced ? kRetracedOff : how.off) * distancePx;
-    if (std::max({off(a.a), off(a.b), off(b.a), off(b.b)}) > most) return std::nullopt;
-    out.a = fit.center + fit.tMin * fit.direction;
-    out.b = fit.center + fit.tMax * fit.direction;
-    out.inkPx += b.inkPx;
-    out.strokes.insert(out.strokes.end(), b.strokes.begin(), b.strokes.end());
-    std::sort(out.strokes.begin(), out.strokes.end());
-    out.strokes.erase(std::unique(out.strokes.begin(), out.strokes.end()), out.strokes.end());
-    return out;
-}
-
-/// What was drawn twice, or in two strokes, end to end, is one line.
-void joinAlike(std::vector<InkLine>& lines, const Joining& how, double distancePx) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (std::size_t k = i + 1; k < lines.size(); ++k) {
-            if (auto whole = joined(lines[i], lines[k], how, distancePx)) {
-                lines[i] = *std::move(whole);
-                lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
-                k = i;
-            }
-        }
-    }
-}
-
 /// The line that a segment is part of.
 int lineOf(const Segment& s, const std::vector<InkLine>& lines) {
     int best = -1;
@@ -477,7 +419,7 @@ std::vector<TrimmedInk> trimGuideLines(const InkReading& ink, double distancePx,
     if (ink.segments.size() > kMostSegments || !crossesLikeWires(ink, distancePx)) return {};
     std::vector<TrimmedInk> out;
     std::size_t fewer = 0;
-    for (const Joining& how : {kStrict, kLoose}) {
+    for (const LineJoining& how : {kStrictJoining, kLooseJoining}) {
         std::vector<InkLine> lines;
         for (const Segment& s : ink.segments) {
             lines.push_back({s.a, s.b, {s.stroke}, s.points, s.inkPx});
