@@ -5,22 +5,15 @@
 
 #include <algorithm>
 
+#include "tests/edge_graph/ink_of_lines.h"
+
 namespace ew {
 namespace {
 
 constexpr double kDistance = 8.0;
-using Lines = std::vector<std::array<Vec2, 2>>;
+using test::Lines;
 
-InkReading inkOf(const Lines& lines) {
-    std::vector<Stroke> strokes;
-    for (const auto& l : lines) {
-        Stroke s;
-        s.samples.push_back({l[0], 1, 0});
-        s.samples.push_back({l[1], 1, 0});
-        strokes.push_back(std::move(s));
-    }
-    return readInk(strokes, kDistance);
-}
+InkReading inkOf(const Lines& lines) { return test::inkOf(lines, kDistance); }
 
 std::vector<EdgeGraph> wiresOf(const Lines& lines) {
     return buildWireGraphs(inkOf(lines), kDistance);
