@@ -11,8 +11,8 @@ namespace ew {
 struct TrimmedInk {
     InkReading ink;                ///< its segments are cut off where their edges end
     std::vector<NoiseItem> tails;  ///< what was cut off
-    double share = 0.0;            ///< of the lines run past a corner; 0..1
-    std::vector<int> dropped;      ///< strokes of which nothing is left, ascending
+    double share = 0.0;            ///< of the edges whose lines run past a corner; 0..1
+    std::vector<int> dropped;      ///< strokes of lines that are no edge, ascending
     /// >= 0; length of what was cut off, in mean lengths of a line, and about one for each place
     /// that is read against the ink.
     double cost = 0.0;

@@ -274,7 +274,9 @@ Interpretation readCreation(const InkReading& ink, const TemplateLibrary& librar
     // First, for guide lines enclose much that is none of the solid's faces.
     auto edges = readWithoutGuides(ink, library, options, alone);
     changed = edges.has_value();
-    return edges ? *std::move(edges) : alone(ink);
+    if (!changed) return alone(ink);
+    askAboutPerspective(ink, options.thresholds.distancePx, *edges);
+    return *std::move(edges);
 }
 
 /// Strokes that can be read, as a drawing in free space or a change of the solids that are there.

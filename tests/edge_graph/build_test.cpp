@@ -9,24 +9,15 @@
 
 #include "core/edge_graph/canonical.h"
 #include "core/edge_graph/edit.h"
+#include "tests/edge_graph/ink_of_lines.h"
 #include "tests/support/random.h"
 
 namespace ew {
 namespace {
 
 constexpr double kThreshold = 14.0;
-using Lines = std::vector<std::array<Vec2, 2>>;
-
-std::vector<Stroke> strokesOf(const Lines& lines) {
-    std::vector<Stroke> strokes;
-    for (const auto& l : lines) {
-        Stroke s;
-        s.samples.push_back({l[0], 1, 0});
-        s.samples.push_back({l[1], 1, 0});
-        strokes.push_back(std::move(s));
-    }
-    return strokes;
-}
+using test::Lines;
+using test::strokesOf;
 
 /// Hexagon outline and Y of a box.
 Lines boxLines() {

@@ -11,7 +11,7 @@ namespace ew::test {
 using Lines = std::vector<std::array<Vec2, 2>>;
 
 /// Each line as a stroke of two samples.
-inline InkReading inkOf(const Lines& lines, double distancePx) {
+inline std::vector<Stroke> strokesOf(const Lines& lines) {
     std::vector<Stroke> strokes;
     for (const auto& l : lines) {
         Stroke s;
@@ -19,7 +19,11 @@ inline InkReading inkOf(const Lines& lines, double distancePx) {
         s.samples.push_back({l[1], 1, 0});
         strokes.push_back(std::move(s));
     }
-    return readInk(strokes, distancePx);
+    return strokes;
+}
+
+inline InkReading inkOf(const Lines& lines, double distancePx) {
+    return readInk(strokesOf(lines), distancePx);
 }
 
 }  // namespace ew::test

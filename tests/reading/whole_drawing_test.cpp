@@ -198,7 +198,6 @@ TEST_P(GuideLines, AreNoEdges) {
 INSTANTIATE_TEST_SUITE_P(Kinds, GuideLines,
                          testing::Values("prism", "concave", "pyramid", "parts-2"));
 
-/// A box with a window drawn as a closed line on a face, and one with a pocket whose floor is seen.
 /// The far slope of the roof is seen all but edge-on: it runs nearly along the ridge, and nobody
 /// draws the lines behind it.
 TEST(WholeDrawing, AGableWhoseSlopeRunsNearlyAlongTheRidge) {
@@ -217,6 +216,7 @@ TEST(WholeDrawing, AGableWhoseSlopeRunsNearlyAlongTheRidge) {
     EXPECT_EQ(spec.faces.size(), 7U);
 }
 
+/// A box with a window drawn as a closed line on a face, and one with a pocket whose floor is seen.
 TEST(WholeDrawing, AWindowIsInkAndAPocketIsCut) {
     OrthographicCamera camera;
     camera.direction = Vec3(-1.0, 0.7, -1.0).normalized();

@@ -27,6 +27,15 @@ inline bool insidePolygon(const std::vector<Vec2>& polygon, const Vec2& p) {
     return inside;
 }
 
+/// Area of a simple polygon, > 0 where it runs from x to y [px^2].
+inline double areaOf(const std::vector<Vec2>& polygon) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        twice += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
+    }
+    return 0.5 * twice;
+}
+
 /// Twice the area of a plane loop, as a vector across it that sees the loop run counter-clockwise.
 inline Vec3 doubleArea(const std::vector<Vec3>& points, const std::vector<int>& loop) {
     const auto from = [&](std::size_t k) -> Vec3 {

@@ -200,14 +200,6 @@ std::optional<Outline> outlineOf(const Wires& w, int from, int without) {
     return out;
 }
 
-double areaOf(const std::vector<Vec2>& polygon) {
-    double twice = 0.0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        twice += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
-    }
-    return 0.5 * twice;
-}
-
 /// An outline and one line that leaves it.
 std::optional<CompletedInk> prism(const InkReading& ink, const Wires& w) {
     int corner = -1;

@@ -81,14 +81,6 @@ class Sheet {
     Vec3 direction_ = Vec3::UnitZ();
 };
 
-double areaOf(const std::vector<Vec2>& polygon) {
-    double area = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        area += 0.5 * cross2(polygon[k], polygon[(k + 1) % polygon.size()]);
-    }
-    return area;
-}
-
 /// The corners of a graph that is one closed line, from one to the next.
 std::vector<Vec2> cornersOf(const EdgeGraph& outline) {
     std::vector<Vec2> out;
